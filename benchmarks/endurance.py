@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Endurance: quiet standing for a day, checked for drift, memory growth, faults and tick wrap.
+"""Endurance test: quiet standing for a day, with checks of drift, memory, faults and tick wrap.
 
     python benchmarks/endurance.py --robot go1 --hours 24 --json FILE
 
 A Supervisor controls a standing robot with real sensors and receives no requests. LowState.tick
-wraps at 2^32 ms half way. Every tick must have the fallback level SOLVED, and no fault may begin.
-Every 0.1 s the true pose is compared with the pose after 10 s, and every minute the memory of this
-process. LIMITS has the allowed differences. Heap allocations are not counted here, because every
-command allocates in Python; the C++ test surefoot_allocations counts those of a tick.
+wraps at 2^32 ms in the middle of the run. Every tick must have the fallback level SOLVED, and no
+fault may begin. Every 0.1 s the true pose is compared with the true pose after 10 s. Every minute
+the memory of this process is compared with the memory after 10 s. LIMITS has the allowed
+differences. Heap allocations are not counted, because every command allocates in Python; the C++
+test surefoot_allocations counts the allocations of a tick.
 """
 
 from __future__ import annotations
@@ -33,19 +34,19 @@ from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 
-CONTROL_PERIOD = 0.002  # [s]
-SETTLE_TIME = 10.0  # [s] time of the pose and memory that later ones are compared with
+CONTROL_PERIOD = 0.002  # [s] time between two ticks
+SETTLE_TIME = 10.0  # [s] time at which the reference pose and the reference memory are taken
 DRIFT_TICKS, MEMORY_TICKS, HOUR_TICKS = (
     50,
     30_000,
     1_800_000,
-)  # [ticks] between poses, between memory samples, per hour
-TICK_WRAP = 2**32  # [ms]
+)  # [ticks] interval of the pose checks and of the memory checks, and number of ticks per hour
+TICK_WRAP = 2**32  # [ms] value at which LowState.tick starts again from 0
 # Allowed differences from the pose at SETTLE_TIME; positions are relative to the mean of the feet.
 LIMITS = {
     "height_mm": 1.0,
     "tilt_deg": 0.2,
-    "believed_tilt_deg": 0.7,  # estimated against true tilt: 0.41 at the largest IMU bias
+    "believed_tilt_deg": 0.7,  # tilt error of the estimate; 0.41 deg with the largest IMU bias
     "yaw_deg": 0.5,
     "foot_travel_mm": 5.0,
     "com_mm": 2.0,
@@ -54,13 +55,16 @@ LIMITS = {
 
 
 def angle_deg(a: np.ndarray, b: np.ndarray) -> float:
-    """Return the angle between two unit vectors (3,) [deg]; NaN if either has NaN."""
+    """Return the angle [deg] between two unit vectors (3,); NaN if one of them has NaN."""
     return math.degrees(math.acos(float(np.clip(a @ b, -1.0, 1.0))))
 
 
 @dataclass(frozen=True)
 class Pose:
-    """True pose: feet (3, 4) [m]; attitude; base height, centre of mass (3,) over the feet [m]."""
+    """True pose: feet (3, 4) [m], attitude, and two values relative to the mean of the feet.
+
+    These values are the height of the base [m] and the centre of mass (3,) [m].
+    """
 
     feet: np.ndarray
     height: float
@@ -78,7 +82,7 @@ class Pose:
         return Pose(feet, float(data.qpos[2] - feet_mean[2]), R, com)
 
     def drift(self, start: Pose) -> dict[str, float]:
-        """Return the differences from another pose, under the names of LIMITS."""
+        """Return the differences between this pose and `start`, by name as in LIMITS."""
         turned = self.R_world_base @ start.R_world_base.T
         return {
             "height_mm": 1e3 * abs(self.height - start.height),
@@ -91,7 +95,7 @@ class Pose:
 
 @dataclass
 class DriftMonitor:
-    """Record of a run: worst and last drifts, bad ticks, and memory [MB] per minute."""
+    """Record of a run: largest and last drifts, bad ticks, and the memory [MB] every minute."""
 
     worst: dict[str, float] = field(default_factory=lambda: dict.fromkeys(LIMITS, 0.0))
     last: dict[str, float] = field(default_factory=dict)
@@ -115,7 +119,7 @@ class DriftMonitor:
 
 
 def estimated_tilt_error(plant: Plant, supervisor: surefoot.Supervisor) -> float:
-    """Return the angle between the estimated and the true vertical [deg]."""
+    """Return the angle [deg] between the estimated and the true vertical."""
     q = supervisor.stand_controller.state.q
     estimated, true = np.roll(q[3:7], 1), plant.data.qpos[3:7]
     return angle_deg(matrix_from_wxyz(estimated)[2], matrix_from_wxyz(true)[2])
@@ -135,7 +139,10 @@ Progress = Callable[
 def run_endurance(
     robot: str, seconds: float, seed: int = 0, progress: Progress | None = None
 ) -> dict[str, Any]:
-    """Stand for a time [s], with the tick wrap at half of it; return the figures as JSON values."""
+    """Let the robot stand for `seconds`; return the figures as JSON values.
+
+    LowState.tick wraps in the middle of the run.
+    """
     ticks = round(seconds / CONTROL_PERIOD)
     tick0 = (TICK_WRAP - round(500.0 * seconds)) % TICK_WRAP
     plant = Plant(robot, PlantSettings(seed=seed, physics_dt=0.001), tick0=tick0)
@@ -228,7 +235,7 @@ def text(result: dict[str, Any]) -> str:
 
 
 def main() -> int:
-    """Run, print and write JSON; return 3 if any check failed."""
+    """Run the test, print the figures and write JSON; return 3 if a check failed, else 0."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--robot", default="go1", choices=ROBOTS)
     parser.add_argument("--hours", type=float, default=24.0, help="simulated hours")

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""External lifts: standing robots are lifted and put down, or dropped; how many stand afterwards.
+"""External lifts: lift or drop standing robots, and count how many stand afterwards.
 
     python benchmarks/external_lifts.py --robot go1 --count 500 --jobs 2 --json FILE
 
 The robot has real sensors and a Supervisor at power level 10. Each seed draws the friction of the
-floor and the working force sensors; for a lift also its height (5 to 30 cm), speeds and duration
-before the trunk is put down and released. A drop is from 10 cm, with a release within 20 ms. The
-reaction to the fault `lifted` is to continue (see fault_table()). A run passes if only feet touch
-the ground, the supervisor neither damps nor sits, the power protection does not trip, and three
-seconds later the robot stands still at its previous height.
+floor and the working force sensors. In a run of kind "lift", the seed also draws the height (5 to
+30 cm), the speeds and the duration; then the trunk is put down and released. In a run of kind
+"drop", the height is 10 cm and the trunk is released within 20 ms. The supervisor continues despite
+the fault `lifted` (see fault_table()). A run passes if only feet touch the ground, the supervisor
+neither damps nor sits, and the power protection does not trip. Three seconds after the release the
+robot must stand still at its previous height.
 """
 
 from __future__ import annotations
@@ -27,10 +28,10 @@ from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.truth import has_fallen
 
 KINDS = ("lift", "drop")
-POWER_LEVEL = 10  # level of the power protection; a landing takes power
-TIME_BEFORE, TIME_AFTER = 1.0, 3.0  # [s] standing before and after the lift
-PERIOD = 0.002  # [s]
-MAX_STILL_SPEED = 0.05  # [m/s], [rad/s]
+POWER_LEVEL = 10  # level of the power protection; high, because a landing takes power
+TIME_BEFORE, TIME_AFTER = 1.0, 3.0  # [s] duration of standing before the lift and after it
+PERIOD = 0.002  # [s] time between two ticks
+MAX_STILL_SPEED = 0.05  # [m/s], [rad/s] base speed below which the robot stands still
 HEIGHT_TOLERANCE = 0.01  # [m] allowed change of height
 
 
@@ -49,7 +50,7 @@ class Outcome(RunOutcome):
 
 
 class LiftRun:
-    """One run: a standing robot with its supervisor, and the measured power and tilt."""
+    """One run of a standing robot with its supervisor, with the measured power and tilt."""
 
     def __init__(self, robot: str, kind: str, seed: int) -> None:
         rng = np.random.default_rng([seed, KINDS.index(kind), 41])
@@ -66,7 +67,7 @@ class LiftRun:
         self.watts = self.tilt_deg = 0.0
 
     def step(self) -> str:
-        """Run one control period; return the reason to end the run, or ""."""
+        """Run one control period; return the reason to end the run, or "" to continue."""
         command = self.supervisor.update(self._state)
         refused = self._safety.power_protect(command, self._state, POWER_LEVEL) < 0
         self.watts = max(self.watts, self._safety.power)
@@ -82,7 +83,7 @@ class LiftRun:
         return f"power protection, {when}" if refused else ""
 
     def verdict(self) -> str:
-        """Return why the robot does not stand at the end, or ""."""
+        """Return why the robot does not stand at the end, or "" if it stands."""
         truth, status = self.plant.truth, self.supervisor.stand_controller.status
         if status != Status.OK or np.abs(truth.v).max() > MAX_STILL_SPEED:
             return f"does not stand still: {status.name}, {np.abs(truth.v).max():.2f}"
@@ -156,7 +157,7 @@ def summary_line(summary: dict[str, object]) -> str:
 
 
 def main() -> int:
-    """Run and print; return 3 if any robot did not stand afterwards."""
+    """Run all seeds and print figures; return 3 if a robot did not stand afterwards, else 0."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
     parser.add_argument("--kind", action="append", choices=KINDS, help="default: both")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""False trips: hours of a healthy robot under its supervisor, with every fault counted.
+"""False trips: count all faults in hours of a healthy robot under its supervisor.
 
     python benchmarks/false_trips.py --robot go1 --hours 10 --jobs 2 --json FILE
 
 In each run the robot gets up, stands for a minute with pushes and changes of its body reference,
-and sits down. Ground, payload and motors are drawn from the seed. None of that is a fault: a
-reaction (sit or damp) to a fault is a false trip, and so is a fall. A robot that gives up its rise
-and lies down again has not tripped and is counted separately. tests/closed_loop has a short form.
+and sits down. The seed draws ground, payload and motors. The robot has no fault, so every reaction
+(sit or damp) is a false trip. A fall also counts as a false trip. A robot that gives up its rise
+and lies down again is counted separately. tests/closed_loop has a short form of this benchmark.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from surefoot.cli.output_files import write_json
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 
-STAND_TIME = 60.0  # [s]
-MAX_TRANSITION_TIME = 60.0  # [s] to get up, with leg interference resolved first, and to lie down
-CHECK_TICKS = 10  # ticks between checks of fault counts and falls
-DISTURBANCE_PERIOD = 5.0  # [s] between pushes and body references
-PUSH_SHARE = 0.1, 0.4  # smallest and largest push, over the LIP push limit
-MAX_PAYLOAD_SHARE = 0.3  # largest payload over the mass of the robot
-MAX_SLOPE = 8.0  # [deg] largest slope
+STAND_TIME = 60.0  # [s] duration of standing in each run
+MAX_TRANSITION_TIME = 60.0  # [s] longest time to get up (with leg interference), or to lie down
+CHECK_TICKS = 10  # [ticks] interval of the checks of fault counts and falls
+DISTURBANCE_PERIOD = 5.0  # [s] time between two pushes, and between two body references
+PUSH_SHARE = 0.1, 0.4  # range of the impulse as a share of the LIP push limit
+MAX_PAYLOAD_SHARE = 0.3  # largest payload as a share of the robot's mass
+MAX_SLOPE = 8.0  # [deg] largest slope of the ground
 TRIP_REACTIONS = FaultReaction.SIT, FaultReaction.DAMP
 
 
@@ -41,12 +41,12 @@ class HealthyRun(RunOutcome):
 
     seed: int
     seconds: float  # simulated time [s]
-    ended: bool  # whether it stood its time and lay down, or tripped
+    ended: bool  # true if the robot stood for the whole time and lay down, or tripped
     faults: dict[str, int]  # number of times that each fault began
 
 
 def main() -> int:
-    """Run the hours, print and write JSON; return 3 if a run tripped or did not end."""
+    """Run the requested hours, print and write JSON; return 3 if a run tripped or did not end."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--robot", default="go1", choices=ROBOTS)
     parser.add_argument("--hours", type=positive_hours, default=10.0, help="simulated hours (10)")
@@ -61,7 +61,7 @@ def main() -> int:
 
 
 def positive_hours(text: str) -> float:
-    """Parse an option as a positive number of hours; raises ArgumentTypeError."""
+    """Parse an option as a positive number of hours; raise ArgumentTypeError for other text."""
     value = float(text)
     if not 0.0 < value < 1e5:
         raise argparse.ArgumentTypeError(f"got {value:g}, expected a number > 0 and < 1e5")
@@ -78,7 +78,7 @@ def run_healthy(job: Job, standing: float = STAND_TIME) -> HealthyRun:
     supervisor = surefoot.Supervisor(plant.robot, options=options)
     why, ended = "", True
     stand_time, last_disturbance, requests = 0.0, 0.0, {Mode.PASSIVE: Mode.RISE}
-    counts_at_arming: dict[str, int] = {}  # fault counts when it was last armed
+    counts_at_arming: dict[str, int] = {}  # fault counts when the robot was last armed
     for tick in range(round((standing + MAX_TRANSITION_TIME) / 0.002)):
         if not supervisor.armed:
             counts_at_arming = fault_counts(supervisor)
@@ -117,7 +117,7 @@ def trip_reason(
     counts_at_arming: dict[str, int],
     sitting_requested: bool,
 ) -> str:
-    """Return the fault that the supervisor reacted to since it was armed, a fall, or ""."""
+    """Return the fault to which the supervisor reacted since arming, a fall, or "" for no trip."""
     if supervisor.mode == Mode.DAMPING:
         return f"{plant.time:.1f} s: damping for {supervisor.damping_fault.name}"
     counts = fault_counts(supervisor)
@@ -155,7 +155,7 @@ def random_settings(robot: str, seed: int, rng: np.random.Generator) -> PlantSet
 
 
 def disturb(plant: Plant, supervisor: surefoot.Supervisor, rng: np.random.Generator) -> None:
-    """Push the robot, and set another body reference."""
+    """Push the robot, and set a random body reference."""
     degrees = float(rng.uniform(-180.0, 180.0))
     impulse = float(rng.uniform(*PUSH_SHARE)) * plant.lip_push_limit(degrees)
     plant.add_push(Push(degrees, impulse, time=plant.time + 2.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Get-up: robots rise from random lying poses; how many stand, at what power, in what time.
+"""Get-up: let robots rise from random lying poses; count successes, measure power and time.
 
     python benchmarks/get_up.py --robot go1 --count 1000 --jobs 2 --json FILE
 
@@ -25,10 +25,10 @@ from surefoot import Error, Mode, RequestStatus, Status
 from surefoot.cli.output_files import write_json
 from surefoot.robot.power_level import power_level
 
-MAX_ARMING_TIME = 20.0  # [s] until arming is ready; some robots sink slowly before that
-MAX_RISE_TIME = 60.0  # [s] for a rise, with retries
-STAND_TIME = 1.5  # [s]
-MAX_STILL_SPEED = 0.05  # [m/s], [rad/s]
+MAX_ARMING_TIME = 20.0  # [s] longest time until all arming checks pass; some robots sink slowly
+MAX_RISE_TIME = 60.0  # [s] longest time of a rise, with retries
+STAND_TIME = 1.5  # [s] duration of standing after the rise
+MAX_STILL_SPEED = 0.05  # [m/s], [rad/s] base speed below which the robot stands still
 
 
 @dataclass
@@ -133,7 +133,7 @@ def summary_line(summary: dict[str, object]) -> str:
 
 
 def main() -> int:
-    """Run and print; return 3 if any robot did not get up."""
+    """Run all seeds and print figures; return 3 if a robot did not get up, else 0."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
     add_seed_options(parser, 1000)

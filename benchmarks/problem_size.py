@@ -1,7 +1,7 @@
 """Tick time over problem size: one to four stance feet, an additional arm, a humanoid.
 
-Times WholeBodyController.update() from Python, which adds about 1 us, over states that drift around
-the standing pose. Prints a Markdown table.
+The benchmark calls WholeBodyController.update() from Python, which adds about 1 us per call. The
+states drift around the standing pose. The result is a Markdown table.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def b1_with_arm(b1: surefoot.Robot) -> tuple[surefoot.Robot, np.ndarray]:
 def g1() -> tuple[surefoot.Robot, np.ndarray]:
     """Return a humanoid and its standing configuration.
 
-    The soles are two of the four feet; the hands are the other two, without contact.
+    The soles are two of the four feet. The hands are the remaining two feet and have no contact.
     """
     model = _model("g1_description/urdf/g1_29dof_rev_1_0.urdf")
     limb_joints = [G1_LEGS["right"], G1_LEGS["left"], G1_ARMS["right"], G1_ARMS["left"]]
@@ -98,7 +98,7 @@ def _model(urdf: str) -> pin.Model:
 
 
 def time_case(case: Case, ticks: int) -> tuple[np.ndarray, tuple[int, int, int], float, int]:
-    """Return the durations [us], the size of the QP, the mean iterations and the failures."""
+    """Return the durations [us], the size of the QP, the mean number of iterations and failures."""
     options = surefoot.WholeBodyOptions(form=FORMS[case.form])
     controller = surefoot.WholeBodyController(case.robot, options=options)
     state = surefoot.RobotState(case.robot.nq, case.robot.nv)

@@ -4,14 +4,14 @@
     python benchmarks/push_bound.py --robot go2 --heading 22.5 157.5 --tilt 5
 
 A push lasts 0.1 s and acts through the centre of mass, as in surefoot assess. The motors keep the
-standing torques for one knot of 10 ms, the delay of sensors, link (two periods) and motors. The
-torques then bring the body to rest within 0.8 s, with all feet in place, torques within their
+standing torques for one knot of 10 ms: the delay of sensors, link (two periods) and motors. Then
+the torques bring the body to rest within 0.8 s. All feet stay in place, torques stay within their
 limits, forces within the friction cone, and the trunk within --tilt of level.
 
-Unlike a real controller, this one knows when the push ends, and has no motor lag and no joint
-limits. On the other hand, a real robot may survive more by sliding feet, steps, more tilt, or joint
-friction, which adds to the motor torques. IPOPT finds a local optimum; if it fails, the figure is
-nan and the status tells why. Takes about a minute per push; needs CasADi.
+Unlike a real controller, the optimal control knows when the push ends, and has no motor lag and no
+joint limits. A real robot may survive more, because its feet may slide or step, it may tilt more,
+and joint friction adds to the motor torques. IPOPT finds a local optimum. If IPOPT fails, the
+figure is nan and the status tells why. A push takes about a minute. The benchmark needs CasADi.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ from surefoot import Robot, load_robot, symbolic
 from surefoot.assess.push_limits import push_limit
 from surefoot.assess.stance_model import stance_model
 
-KNOT_TIME = 0.01  # [s]
-PUSH_TIME = 0.1  # [s]
+KNOT_TIME = 0.01  # [s] time between two knots
+PUSH_TIME = 0.1  # [s] duration of a push
 KNOTS = 80  # number of knots after which the robot must be at rest
-FORCE_UNIT, TORQUE_UNIT = 10.0, 5.0  # [N], [N.m] scales of the variables
+FORCE_UNIT, TORQUE_UNIT = 10.0, 5.0  # [N], [N.m] units of the optimisation variables
 IMPULSE_WEIGHT = 0.1  # [1/(N.s)] weight of the impulse in the cost
 REGULARISATION = (
     1e-5,
     1e-6,
-)  # weights of squared velocities and scaled torques: make the optimum unique
+)  # weights of squared velocities and scaled torques, which make the optimum unique
 IPOPT = {
     "max_iter": 600,
     "print_level": 0,
@@ -72,7 +72,7 @@ def rotation(quaternion: ca.SX) -> ca.SX:
 
 
 def integrator(robot: Robot) -> ca.Function:
-    """Make the function (q, v) -> q one knot later; the quaternion is integrated and normalised."""
+    """Return a function from (q, v) to q one knot later; it normalises the quaternion."""
     q, v = ca.SX.sym("q", robot.nq), ca.SX.sym("v", robot.nv)
     p = q[:3] + KNOT_TIME * rotation(q[3:7]) @ v[:3]
     half = 0.5 * KNOT_TIME * v[3:6]
@@ -83,7 +83,7 @@ def integrator(robot: Robot) -> ca.Function:
 
 
 def contact_jacobian(robot: Robot) -> ca.Function:
-    """Make J(q), shape (12, nv), of the contact points of rolling feet: J_c + r [z]x J_w."""
+    """Return a function J(q), (12, nv), for contact points of rolling feet: J_c + r [z]x J_w."""
     q = ca.SX.sym("q", robot.nq)
     R = rotation(q[3:7])
     radius_cross = robot.config.foot_radius * ca.DM([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
@@ -101,7 +101,10 @@ def contact_jacobian(robot: Robot) -> ca.Function:
 
 
 def dynamics_residual(robot: Robot, contact: ca.Function, heading: float) -> ca.Function:
-    """Make the residual of the equations of motion, a function of (q, v, v after, tau, f, push)."""
+    """Return the residual of the equations of motion as a function.
+
+    Its arguments are q, v, v one knot later, tau, contact forces and push.
+    """
     q, v, after = (ca.SX.sym(n, k) for n, k in (("q", robot.nq), ("v", robot.nv), ("w", robot.nv)))
     tau, f, push = ca.SX.sym("tau", 12), ca.SX.sym("f", 12), ca.SX.sym("push")
     select = np.zeros((robot.nv, 12))

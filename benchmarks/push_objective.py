@@ -18,7 +18,7 @@ from surefoot.robot.loading import build_robot, describe_robot
 
 LEVEL_GROUND = Condition("level ground")
 LATENCY_20_MS = Condition("latency 20 ms", latency_ms=20.0)
-RANGES = {  # searched on a logarithmic scale
+RANGES = {  # smallest and largest value of each parameter, on a logarithmic scale
     "weight_com_horizontal": (0.2, 4.0),
     "weight_com_vertical": (0.05, 10.0),
     "weight_base_tilt": (1.5, 30.0),
@@ -32,21 +32,21 @@ RANGES = {  # searched on a logarithmic scale
     "push_time": (0.008, 0.02),
     "foot_speed": (0.5, 10.0),
     "foot_step": (0.1, 0.5),
-    "edge_rise": (0.3, 100.0),  # 100 disables it
+    "edge_rise": (0.3, 100.0),  # 100 disables the limit
     "friction": (0.6, 0.8),  # [robot] friction, assumed by the controller
 }
-HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] to the left only: robots are symmetric
-MAX_FALLS = 3  # per heading; harder pushes are then skipped
-MAX_PENALTY = 9.0  # foot travel penalty above which survival is not evaluated
+HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] only to the left, because robots are symmetric
+MAX_FALLS = 3  # number of falls per heading after which harder pushes are skipped
+MAX_PENALTY = 9.0  # foot displacement penalty above which survival is not evaluated
 
 
 @dataclass(frozen=True)
 class PushSet:
-    """Pushes that a set of values is judged by.
+    """Pushes with which a set of values is evaluated.
 
     Attributes:
         levels: Rising levels of pushes on level ground [% of the push limit].
-        latency_levels: The same with 20 ms of latency [%].
+        latency_levels: Rising levels of pushes with 20 ms of latency [% of the push limit].
         in_place_level: Level on level ground at which no foot may move by more than 1 cm [%].
         seeds: Seeds of sensors and motors.
     """
@@ -65,7 +65,7 @@ def default_values(robot: str) -> dict[str, float]:
 
 
 def controller_under_test(robot: str, values: dict[str, float]) -> ControllerUnderTest:
-    """Return the controller with other values; the floor of the plant does not change."""
+    """Return the controller with the given values; the floor of the plant does not change."""
     description = describe_robot(robot)
     rows = {**description.table["robot"], "friction": values["friction"]}
     changed_robot = build_robot(replace(description, table={**description.table, "robot": rows}))
@@ -79,7 +79,7 @@ def controller_under_test(robot: str, values: dict[str, float]) -> ControllerUnd
 
 
 class PushedRobot:
-    """A robot with a set of values, in push tests.
+    """Robot with a set of values, for push tests.
 
     Args:
         robot: Name of the robot.
@@ -93,8 +93,8 @@ class PushedRobot:
     def foot_travel_penalty(self, heading: float, seed: int, level: float) -> float:
         """Return the penalty of a push that is not in place, 0 .. 2.
 
-        It is the foot travel beyond 10 mm over 10 mm, clipped to 0.5 .. 2; 2 after a fall, and 0 if
-        the push is in place.
+        The penalty is (foot displacement - 10 mm) / 10 mm, clipped to 0.5 .. 2. It is 2 after a
+        fall, and 0 if the push is in place.
         """
         outcome, _ = self.push(LEVEL_GROUND, heading, seed, level)
         if outcome.in_place:
@@ -106,8 +106,8 @@ class PushedRobot:
     ) -> float:
         """Return the number of levels survived.
 
-        A fall counts as half the share of the run in which the robot is upright. The levels end
-        after MAX_FALLS falls.
+        A level with a fall counts as half the share of the run in which the robot is upright. After
+        MAX_FALLS falls no further level is run.
         """
         count, falls = 0.0, 0
         for level in levels:
@@ -134,9 +134,10 @@ class PushedRobot:
 def score(robot: str, values: dict[str, float], pushes: PushSet) -> tuple[float, list[float]]:
     """Return the objective of a set of values, and the number of levels survived by heading.
 
-    Objective: for both conditions (level ground, 20 ms of latency) the levels survived over all
-    headings, averaged over seeds, plus twice those of the worst heading and seed; minus the foot
-    travel penalty. Above MAX_PENALTY only the negative penalty is returned.
+    The objective is a sum over both conditions (level ground, 20 ms of latency), minus the foot
+    displacement penalty. The term of a condition is the number of levels survived over all
+    headings, averaged over seeds, plus twice the number of the worst heading and seed. If the
+    penalty is above MAX_PENALTY, the objective is only the negative penalty.
     """
     pushed, seeds = PushedRobot(robot, values), pushes.seeds
     cases = [(heading, seed) for heading in HEADINGS for seed in seeds]

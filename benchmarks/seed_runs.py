@@ -23,12 +23,12 @@ from surefoot.system.worker_processes import killable_pool
 ROBOTS = tuple(available_robots())
 
 Job = tuple[str | int, ...]
-"""Arguments of a run: its subject, such as the robot, and last the seed."""
+"""Arguments of a run: its subject, such as the robot's name, and as the last one the seed."""
 
 
 @dataclass
 class RunOutcome:
-    """Result of a run; benchmarks derive from it and add fields."""
+    """Result of a run. Each benchmark derives a class with further fields."""
 
     ok: bool  # whether the run passed
     why: str  # reason of a failure, else empty
@@ -38,7 +38,7 @@ Result = TypeVar("Result", bound=RunOutcome)
 
 
 def parse_integer(text: str, low: int) -> int:
-    """Parse an option as an integer >= low; raises ArgumentTypeError."""
+    """Parse an option as an integer >= low; raise ArgumentTypeError for other text."""
     value = int(text)
     if value < low:
         raise argparse.ArgumentTypeError(f"got {value}, expected an integer >= {low}")
@@ -71,13 +71,13 @@ def run_seeds(
     jobs: list[Job],
     options: argparse.Namespace,
 ) -> list[Result]:
-    """Run every job that is not in the store, and return the results of all jobs in their order.
+    """Run every job that is not in the store; return the results of all jobs, in order of `jobs`.
 
-    Failures are printed at once, progress goes to stderr. Invalid options end the process with
-    status 2.
+    Each failed run is printed at once. Progress is printed to stderr. Invalid options end the
+    process with status 2.
 
     Args:
-        run: Function of one job; runs in another process.
+        run: Function that runs one job, in another process.
         outcome_type: Result type of `run`, a dataclass of JSON values.
         jobs: Jobs to run; duplicates run once.
         options: Options of add_seed_options().
@@ -116,7 +116,7 @@ def run_seeds(
 
 
 def source_digest(run: Callable[[Job], Result]) -> str:
-    """Return a digest of the source file of `run`; results of other versions are not reused."""
+    """Return a digest of the source file of `run`; results of other versions are ignored."""
     file = inspect.getsourcefile(run)
     assert file
     return hashlib.sha256(Path(file).read_bytes()).hexdigest()[:16]

@@ -1,7 +1,7 @@
-"""Table of `surefoot stand`: every robot, five seeds, quiet and pushed.
+"""Table of `surefoot stand` results: every robot, five seeds, quiet and pushed.
 
-Prints the worst values over the seeds as a Markdown table. The foot force fields are zero, unless
-`--foot-force est` or `raw` is given.
+The benchmark prints the worst values over the seeds as a Markdown table. The foot force fields are
+zero without the option `--foot-force est` or `--foot-force raw`.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def stand(robot: str, run: str, seed: int, foot_force: str) -> dict[str, Any]:
 
 
 def worst(results: list[dict[str, Any]], key: str) -> float:
-    """Return the largest value of a field over runs."""
+    """Return the largest value of a field over all runs."""
     return max(float(result[key]) for result in results)
 
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gains at which the closed loop starts to oscillate: surefoot tune design against simulation.
+"""Gains at which the closed loop starts to oscillate: compare surefoot tune design and simulation.
 
     python benchmarks/tune_design_boundary.py [ROBOT ...]
 
-The first table has, for each robot, axis and additional delay, the factor on kp and kd (of 2 Hz and
-damping 0.8) above which a kick in any direction of the axis causes a lasting oscillation. The
-simulated factor is bisected to 3 %. The second table shows the effect of joint friction on lateral
-motion: the factor with a quarter of the friction and with all of it.
+The first table has a row for each robot, axis and additional delay. It shows the factor on kp and
+kd (of 2 Hz and damping 0.8) above which a push along the axis causes a lasting oscillation. The
+simulated factor is found by bisection to 3 %. The second table shows the factors of lateral motion,
+with a quarter of the joint friction and with all of it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from surefoot.tune.design import (
     oscillation_boundary,
 )
 
-DELAYS = (0.004, 0.012)  # [s]
+DELAYS = (0.004, 0.012)  # [s] additional delays of commands
 MAX_FACTOR = 200.0 / GOAL.kd  # largest factor: kd may be at most 200 1/s
 
 
@@ -51,7 +51,7 @@ def measured_factor(
     directions: list[Direction],
     friction: float = 1.0,
 ) -> float:
-    """Return the factor in simulation, bisected between half and twice the guess."""
+    """Return the factor in simulation, found by bisection between half and twice the guess."""
 
     def stable(factor: float) -> bool:
         gains = gains_with_factor(robot, axis, factor)

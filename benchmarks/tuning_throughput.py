@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Throughput of gain tuning: one core, two processes, and a Dask cluster of two workers.
+"""Throughput of gain tuning with one core, two processes, and a Dask cluster of two workers.
 
     python benchmarks/tuning_throughput.py --robot go1 --rounds 5
 
-Every round runs the same trials on each worker pool in turn. Ratios compare times of one round, and
-medians over rounds are printed, because other processes may load the machine. A trial is that of
-`surefoot tune search`: estimator, QP, physics at 1 kHz, control at 500 Hz, sensors and cost.
+Every round runs the same trials on each worker pool in turn. Other processes may load the machine,
+so ratios compare times of the same round, and the printed values are medians over rounds. A trial
+is the same as in `surefoot tune search`: estimator, QP, physics at 1 kHz, control at 500 Hz,
+sensors and cost.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
 PORT = 8796
-SEEDS = 2  # episodes per trial
+SEEDS = 2  # number of episodes per trial
 
 
 def main() -> None:
@@ -55,7 +56,7 @@ def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
         tuple(Episode(robot, seed, PlantSettings()) for seed in range(SEEDS)),
         ("balance",),
     )
-    evaluate_exclusively(job)  # builds the plants
+    evaluate_exclusively(job)  # fill the cache of plants before timing
     outcomes = [evaluate_exclusively(job) for _ in range(rounds)]
     wall_times: dict[str, list[float]] = {"one": [], "two": [], "dask": []}
     with cluster() as address:
@@ -93,7 +94,7 @@ def _run(worker_pool: ProcessPool | DaskCluster, job: TrialJob, trials: int) -> 
 
 
 def _physics(job: TrialJob) -> float:
-    """Return the CPU time of one MuJoCo step [s], of a robot held by constant joint torques."""
+    """Return the CPU time [s] of one MuJoCo step, for a robot with constant joint torques."""
     plant = cached_plant(job.episodes[0])
     plant.reset()
     model, data, steps = plant.model, mujoco.MjData(plant.model), 1000

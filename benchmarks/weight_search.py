@@ -5,11 +5,11 @@
 
 CMA-ES (Optuna) starts from the values of the robot. Pushes last 0.1 s and act through the centre of
 mass, as in surefoot assess, with headings over half a circle. The objective is the number of levels
-that the robot survives on level ground and with 20 ms of latency, with the worst heading counted
-three times, minus a penalty for feet that move too far at --strict. Feedback gains are not
-searched, so stability margins, quiet standing and fault detection do not change. Each better set is
-printed as rows of the robot's TOML: friction for [robot], the others for [gains]. Run surefoot
-assess to evaluate a set on all headings and on other seeds.
+that the robot survives on level ground and with 20 ms of latency; the worst heading counts three
+times. A penalty for feet that move too far at the level --strict is subtracted. Feedback gains are
+not searched, so stability margins, quiet standing and fault detection do not change. Each better
+set is printed as rows of the robot's TOML: friction is for [robot], all other rows are for [gains].
+Run surefoot assess to evaluate a set on all headings and on other seeds.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def print_values(
 
 
 def parse_level(text: str) -> float:
-    """Parse an option as a share of the push limit [%]; raises ArgumentTypeError."""
+    """Parse an option as a share of the push limit [%]; raise ArgumentTypeError for other text."""
     value = float(text)
     if not 0.0 < value <= MAX_LEVEL:
         raise argparse.ArgumentTypeError(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user task: keep a camera on the trunk at a given height. Any Pinocchio frame works the same
-// way.
+// A user task that keeps a camera on the trunk at a given height. Any Pinocchio frame works the
+// same way.
 //   surefoot export go1 go1.robot
 #include <cstdio>
 #include <pinocchio/algorithm/frames.hpp>
@@ -20,7 +20,7 @@ struct CameraHeight : surefoot::Task {
     const double drift = getFrameClassicalAcceleration(model, data, 1, camera, axes).linear()[2];
     height = data.oMi[1].act(camera).translation().z();
     rows.A_a = J.row(2);
-    rows.weight[0] = 3.0;  // large: the row is in m/s^2, built-in tasks count in about g
+    rows.weight[0] = 3.0;  // large: the row is in m/s^2, built-in tasks are scaled to about g
     rows.b[0] = 100.0 * (target_height - height) - 20.0 * speed - drift;
     return true;
   }

@@ -1,4 +1,7 @@
-"""A user task: keep a camera on the trunk at a given height. Any Pinocchio frame works this way."""
+"""A user task that keeps a camera on the trunk at a given height.
+
+Any Pinocchio frame works the same way.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +33,7 @@ class CameraHeight(surefoot.Task):
         speed = pin.getFrameVelocity(model, data, 1, CAMERA, AXES).linear[2]
         drift = pin.getFrameClassicalAcceleration(model, data, 1, CAMERA, AXES).linear[2]
         self.height = data.oMi[1].act(CAMERA).translation[2]
-        # Weight 3 is large: the row is in m/s^2, built-in tasks count in about g.
+        # Weight 3 is large, because this row is in m/s^2, but built-in tasks are scaled to about g.
         rows.weight[:], rows.A_a[:] = 3.0, pin.getFrameJacobian(model, data, 1, CAMERA, AXES)[2]
         rows.b[:] = 100.0 * (self.target_height - self.height) - 20.0 * speed - drift
         return True

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stand: the whole-body controller over UDP, with the StandRunner that `surefoot run` uses.
+// Stand with the whole-body controller over UDP. `surefoot run` uses the same StandRunner.
 //   surefoot export go1 go1.robot; surefoot robot --robot go1 &
 //   example_stand go1.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]
 #include <csignal>

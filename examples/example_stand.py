@@ -1,4 +1,4 @@
-"""Stand: the whole-body controller over UDP, in a loop of your own."""
+"""Stand with the whole-body controller over UDP, in a control loop of your own."""
 
 from __future__ import annotations
 
@@ -50,13 +50,13 @@ def loop(
     safety: surefoot.Safety,
     duration: float,
 ) -> bool:
-    """Run the control loop; return True after `duration` [s], False if it has to stop before."""
+    """Run the control loop; return True after `duration` [s], False if the loop stops earlier."""
     end = next_tick_time = time.monotonic()
     end += duration
     while (now := time.monotonic()) < end:
         has_new_state = link.receive()
         if not link.has_state:
-            link.send(surefoot.damping_low_cmd(3.0))  # the robot replies to the sender of a frame
+            link.send(surefoot.damping_low_cmd(3.0))  # the robot only replies to senders of frames
         elif link.state_age > 0.1:
             print(f"no LowState for {1000 * link.state_age:.0f} ms", flush=True)
             return False

@@ -53,13 +53,13 @@ inline int loop(UdpLink& link, Safety& safety, double duration, const Control& c
   auto next_tick_time = std::chrono::steady_clock::now();
   for (int n = 1; n <= duration / 0.002 && !interrupted; ++n) {
     const bool has_new_state = link.receive();
-    if (link.state_age() > 0.1) {  // [s] the robot also damps after so long without a command
+    if (link.state_age() > 0.1) {  // [s] the robot damps after the same time without a command
       std::printf("tick %d: no LowState for %.0f ms; damping\n", n, 1000.0 * link.state_age());
       return 1;
     }
     for (int leg = 0; leg < kLegs; ++leg) cmd.motorCmd[3 * leg].tau = hip_tau[leg];
     control(n, link.state(), cmd);
-    // Each sample counts once.
+    // Check each LowState only once.
     if (has_new_state && n >= protect_from_tick && safety.power_protect(cmd, link.state(), 1) < 0) {
       std::printf("tick %d: power protection, %.0f W; damping\n", n, safety.power());
       return 255;

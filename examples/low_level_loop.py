@@ -11,8 +11,8 @@ from collections.abc import Callable
 import surefoot
 from surefoot.protocol import GENERATIONS, default_generation
 
-DT = 0.002  # [s]
-STATE_TIMEOUT = 0.1  # [s] without a LowState; the robot also damps after so long without a command
+DT = 0.002  # [s] time between two ticks
+STATE_TIMEOUT = 0.1  # [s] longest time without a LowState, as that of the robot without a command
 FINAL_DAMPING_TICKS = 100  # number of damping commands before exit
 HIP_TAU = {surefoot.FR_0: -0.65, surefoot.FL_0: 0.65, surefoot.RR_0: -0.65, surefoot.RL_0: 0.65}
 
@@ -23,7 +23,7 @@ def run(control: Control, description: str, protect_from_tick: int = 1) -> int:
     """Run an example: parse the command line, and call control(n, state, cmd) in tick n = 1, 2 ...
 
     Args:
-        control: Writes cmd, and returns a line to print, or "".
+        control: Function that writes cmd and returns a line to print, or "" for no line.
         description: What the example does, for --help and the start message.
         protect_from_tick: First tick in which power_protect() at level 1 checks the samples.
 
@@ -78,7 +78,7 @@ def _loop(
             cmd.motorCmd[motor].tau = tau
         if line := control(n, state, cmd):
             print(line, flush=True)
-        # Each sample counts once.
+        # Check each LowState only once.
         if has_new_state and n >= protect_from_tick and safety.power_protect(cmd, state, 1) < 0:
             print(f"tick {n}: power protection, {safety.power:.0f} W; damping", flush=True)
             return 255
@@ -107,4 +107,4 @@ def _sleep_until(next_tick_time: float) -> float:
     if late < 0.0:
         time.sleep(-late)
         return next_tick_time
-    return next_tick_time + late  # a late tick delays all later ones; none follows at once
+    return next_tick_time + late  # a late tick delays all later ticks by the same time

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   const surefoot::Robot robot = surefoot::Robot::load(argc > 1 ? argv[1] : "go1.robot");
   surefoot::StandController controller(robot);
 
-  // On the robot: udp.GetRecv(state). Here: a robot at rest in its standing pose.
+  // On the robot, udp.GetRecv(state) reads the LowState. This one is at rest in the standing pose.
   surefoot::LowState state = surefoot::init_low_state();
   state.imu.quaternion = {1.0F, 0.0F, 0.0F, 0.0F};
   state.imu.accelerometer = {0.0F, 0.0F, 9.81F};

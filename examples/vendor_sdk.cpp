@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program for unitree_legged_sdk v3.5 - v3.8 with its structs, its UDP class and its loop. One
-// call of this library computes the torques. The structs of both libraries have the same layout.
+// A program for unitree_legged_sdk v3.5 - v3.8, with the structs, UDP class and loop of this SDK.
+// One call of Surefoot computes the torques. The structs of both have the same layout.
 #include <surefoot/surefoot.hpp>
 
 #if __has_include("unitree_legged_sdk/unitree_legged_sdk.h")

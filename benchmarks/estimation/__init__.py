@@ -1,1 +1,1 @@
-"""Accuracy of the state estimator: simulated runs, recorded once and replayed with many sensors."""
+"""Accuracy benchmark of the state estimator, with recorded runs and many sensor conditions."""

@@ -17,8 +17,8 @@ VERSION = 1  # version of the log's layout
 def load_or_record(folder: Path, case: str, seed: int, scenario: Scenario) -> Log:
     """Return the log `folder`/case/robot-seed-key.npz; record it if it does not exist yet.
 
-    The key is a hash of the scenario's settings. It does not cover the code of the controller, so
-    remove the folder to record with another version.
+    The key is a hash of the scenario's settings but not of the controller's code. So remove the
+    folder to record with another version of the controller.
     """
     key = hashlib.sha256(f"{VERSION} {scenario!r}".encode()).hexdigest()[:10]
     path = folder / case / f"{scenario.robot}-{seed}-{key}.npz"

@@ -1,4 +1,4 @@
-"""Calibration of the contact confidence: how far it is from a probability."""
+"""Calibration of the contact confidence: its difference from the frequency of contact."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from estimation.log_rows import Array
 def calibration_error(confidence_and_truth: Array, bins: int = 10) -> float:
     """Compute the calibration error of a contact confidence.
 
-    The error is the mean absolute difference over equal bins of the confidence between the
-    confidence and the frequency of contact, weighted by the rows per bin. NaN without rows.
+    The confidence range is divided into equal bins. In each bin, the mean confidence is compared
+    with the frequency of true contact. The error is the mean of the absolute differences, weighted
+    by the number of rows in each bin. NaN: there are no rows.
 
     Args:
         confidence_and_truth: (n, 2) contact confidence, and true contact (0 or 1).

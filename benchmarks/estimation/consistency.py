@@ -9,13 +9,13 @@ import numpy as np
 
 from estimation.log_rows import Array
 
-BAND_PROBABILITY = 0.95  # probability of the band
+BAND_PROBABILITY = 0.95  # probability that a consistent value is inside the band
 
 
 def chi_square_band(dof: Array) -> tuple[Array, Array]:
     """Return the ends of the 95 % chi-square band for degrees of freedom (n,).
 
-    Uses the approximation of Wilson and Hilferty: within 1 % for 5 degrees of freedom or more.
+    The approximation of Wilson and Hilferty has an error below 1 % from 5 degrees of freedom on.
     """
     z = NormalDist().inv_cdf(0.5 + BAND_PROBABILITY / 2.0)
     spread = 2.0 / (9.0 * np.maximum(dof, 1))
@@ -26,14 +26,15 @@ def chi_square_band(dof: Array) -> tuple[Array, Array]:
 
 
 def within_band(squares: Sequence[Array], dofs: Sequence[Array]) -> tuple[float, float]:
-    """Return the share of ticks [%] whose sum over seeds is in its band, and the mean per degree.
+    """Compare the sums over all seeds of normalised squared errors with their chi-square band.
 
     Args:
-        squares: Normalised squared errors (n,) of each seed, cut to the shortest.
+        squares: Normalised squared errors (n,) of each seed; long ones are cut to the shortest.
         dofs: Degrees of freedom (n,) of each seed.
 
     Returns:
-        Share and mean; NaN, NaN if no tick has degrees of freedom.
+        Share of ticks [%] whose sum is in its band, and mean error per degree of freedom. (NaN,
+        NaN): no tick has degrees of freedom.
     """
     n = min(len(values) for values in squares)
     total = np.sum([values[:n] for values in squares], axis=0)

@@ -1,7 +1,7 @@
 """Scores of contact estimates: delays against true transitions, and false transitions.
 
-Loads are shares of the weight of the robot. A fast true transition is judged by the delay of the
-estimate; near a slow one only the calibration of the contact confidence counts.
+Loads are shares of the weight of the robot. At a fast true transition the delay of the estimate
+counts. Near a slow true transition only the calibration of the contact confidence counts.
 """
 
 from __future__ import annotations
@@ -16,27 +16,27 @@ from estimation.log_rows import Array
 UNLOADED_BELOW, LOADED_ABOVE = (
     0.05,
     0.10,
-)  # share of the weight: a foot is unloaded below the first, loaded above the second
+)  # load below which a foot is unloaded, and load above which it is loaded
 FAST_LOAD_CHANGE, FAST_LOAD_TIME = (
     0.20,
     0.020,
-)  # a fast transition changes the load by this share within this time [s]
-MIN_PHASE_TIME = 0.020  # [s] shorter phases are ignored
+)  # smallest load change of a fast transition, within this time [s]
+MIN_PHASE_TIME = 0.020  # [s] phases shorter than this are ignored
 MATCH_BEFORE, MATCH_AFTER = (
     0.020,
     0.300,
-)  # [s] window around a true transition in which an estimated one matches
-IGNORED_START = 0.5  # [s] at the start of a log in which no transition counts as false
+)  # [s] window around a true transition in which an estimated transition matches
+IGNORED_START = 0.5  # [s] time at the start of a log in which no transition counts as false
 
 
 @dataclass(frozen=True)
 class Transition:
-    """A true transition of a foot.
+    """True transition of a foot.
 
     Attributes:
         row: First row after the load crossed the threshold.
-        closes: Whether the foot becomes loaded.
-        fast: Whether the load changes fast enough for the delay to count.
+        closes: True if the foot becomes loaded, false if it becomes unloaded.
+        fast: True if the load changes fast enough for the delay to count.
     """
 
     row: int
@@ -66,7 +66,10 @@ def true_transitions(share: Array, rate: float) -> list[Transition]:
 
 
 def _phases(share: Array, dwell: int) -> list[tuple[int, int, bool]]:
-    """Return (first row, last row, loaded) of the clearly loaded or unloaded phases >= `dwell`."""
+    """Return (first row, last row, loaded) of each clearly loaded or clearly unloaded phase.
+
+    Phases of less than `dwell` rows are omitted.
+    """
     kind = np.where(share > LOADED_ABOVE, 1, np.where(share < UNLOADED_BELOW, 0, -1))
     rows = np.flatnonzero(kind >= 0)
     phases: list[tuple[int, int, bool]] = []
@@ -91,9 +94,9 @@ class TransitionScore:
     """Score of an estimate over the transitions of one or more feet.
 
     Attributes:
-        delays: Delay of each fast transition [s]; infinite if missed, NaN if the estimate already
-            had the new state.
-        false: Number of estimated transitions without a true one.
+        delays: Delay of each fast transition [s]. Infinite: the estimate missed it. NaN: the
+            estimate already had the new state.
+        false: Number of estimated transitions without a matching true transition.
         calibration: (m, 2) contact confidence and true contact near slow transitions.
     """
 
@@ -102,7 +105,7 @@ class TransitionScore:
     calibration: Array
 
     def __add__(self, other: TransitionScore) -> TransitionScore:
-        """Return the joint score."""
+        """Return the joint score of both scores."""
         both = np.concatenate([self.calibration, other.calibration])
         return TransitionScore(self.delays + other.delays, self.false + other.false, both)
 
@@ -116,7 +119,8 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
     matched = np.zeros(len(changes), bool)
     delays = []
     for k, transition in enumerate(truth):
-        # The next transition has the opposite direction, so changes before it belong to this one.
+        # The next true transition has the opposite direction. So estimated changes before it belong
+        # to the present true transition.
         end = truth[k + 1].row if k + 1 < len(truth) else len(share)
         start = transition.row - early
         end = max(start + 1, min(end, transition.row + late))
@@ -140,7 +144,7 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
 
 
 def _load_crossed_threshold(share: Array, changes: Array, closes: Array, reach: int) -> Array:
-    """Return which changes follow a load that crossed the threshold too shortly to count."""
+    """Return which changes follow a load that crossed the threshold only for a short time."""
     windows = [share[max(0, row - reach) : row + 1] for row in changes]
     pairs = zip(windows, closes, strict=True)
     return np.array(

@@ -1,4 +1,4 @@
-"""Sensor conditions: conversion of a log to one of other, worse or faulty sensors."""
+"""Sensor conditions: convert a log to the log of other, worse or faulty sensors."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ import numpy as np
 from estimation.log_rows import Array, Log
 
 FORCE_NOISE = 3.0  # [N] noise of footForceEst
-COUNT_OFFSET, COUNT_GAIN = (5.0, 50.0), (1.0, 2.0)  # counts, counts per newton
-COUNT_NOISE = 2.0  # counts
-COUNT_DRIFT = 5.0  # counts, standard deviation of the random walk after a minute
-FAULTY_FOOT_DRIFT = 50.0  # counts per minute, in the condition drifting
+COUNT_OFFSET, COUNT_GAIN = (5.0, 50.0), (1.0, 2.0)  # [counts], [counts/N] ranges of offset and gain
+COUNT_NOISE = 2.0  # [counts] standard deviation of the noise
+COUNT_DRIFT = 5.0  # [counts] standard deviation of the random walk after a minute
+FAULTY_FOOT_DRIFT = 50.0  # [counts/min] drift of the faulty foot in the condition drifting
 TORQUE_ERROR = 0.2  # largest relative error of tauEst, in the condition raw
 INT16_MAX = 32767
 
@@ -26,14 +26,14 @@ def normal_forces(log: Log) -> Array:
 
 
 def all_foot_sensors(log: Log, rng: np.random.Generator) -> Log:
-    """Both foot force fields work; motors as recorded."""
+    """Return a log in which both foot force fields work; motors as recorded."""
     newtons = normal_forces(log)
     newtons = newtons + FORCE_NOISE * rng.standard_normal(newtons.shape)
     return {**log, "footForceEst": int16(newtons), "footForce": int16(raw_counts(log, rng))}
 
 
 def raw_counts_only(log: Log, rng: np.random.Generator) -> Log:
-    """Only raw counts work, and tauEst of each motor has a scale error of up to 20 %."""
+    """Return a log with only raw counts, and a scale error of up to 20 % of each motor's tauEst."""
     torque_scale = rng.uniform(1.0 - TORQUE_ERROR, 1.0 + TORQUE_ERROR, 12)
     tau = (log["tauEst"] * torque_scale).astype(np.float32)
     zero_forces = np.zeros_like(log["footForceEst"])
@@ -46,7 +46,7 @@ def raw_counts_only(log: Log, rng: np.random.Generator) -> Log:
 
 
 def joint_torque_only(log: Log, rng: np.random.Generator) -> Log:
-    """No foot force works; motors as recorded."""
+    """Return a log without foot forces; motors as recorded."""
     zero_forces = np.zeros_like(log["footForceEst"])
     return {**log, "footForceEst": zero_forces, "footForce": zero_forces.copy()}
 
@@ -71,7 +71,7 @@ def _one_foot(fault: str) -> Condition:
 
 
 def drifting_foot(log: Log, rng: np.random.Generator) -> Log:
-    """Only raw counts work, and one foot drifts by 50 counts per minute; motors as recorded."""
+    """Return a log with only raw counts, of which one foot drifts by FAULTY_FOOT_DRIFT."""
     foot = int(rng.integers(4))
     values = raw_counts(log, rng)
     sign = rng.choice([-1.0, 1.0])
@@ -100,12 +100,12 @@ def seconds(log: Log) -> Array:
 
 
 def int16(values: Array) -> Array:
-    """Round and clip to int16."""
+    """Return the values, rounded and clipped to int16."""
     return np.clip(np.round(values), -32768, INT16_MAX).astype(np.int16)
 
 
 def recorded(log: Log, rng: np.random.Generator) -> Log:
-    """The log as the controller received it."""
+    """Return the log as the controller received it."""
     return log
 
 

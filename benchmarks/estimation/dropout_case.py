@@ -12,8 +12,8 @@ from estimation.recording import select_rows
 from estimation.replay import replay
 from estimation.row_selection import SETTLING_TIME, push_rows, row_at, rows_after
 
-FREEZE_TIME = 0.050  # [s]
-FAULT_AFTER_PUSH = 0.05  # [s] after the start of a push
+FREEZE_TIME = 0.050  # [s] duration for which the IMU is frozen
+FAULT_AFTER_PUSH = 0.05  # [s] time from the start of a push to the fault
 LOST_ROW_COUNT = 3
 
 
@@ -48,7 +48,7 @@ def _max_velocity_error(errors: Errors, rows: slice) -> float:
 
 
 def freeze_imu(log: Log) -> Log:
-    """Freeze all values of the IMU for 50 ms during every push."""
+    """Return a log in which all IMU values are frozen for 50 ms during every push."""
     out, length = dict(log), row_at(log, FREEZE_TIME)
     for name in ("gyroscope", "accelerometer", "quaternion"):
         out[name] = log[name].copy()
@@ -59,7 +59,7 @@ def freeze_imu(log: Log) -> Log:
 
 
 def repeat_samples(log: Log) -> Log:
-    """Replace every second sample of the accelerometer by the one before it."""
+    """Return a log in which every second accelerometer sample repeats the sample before it."""
     accelerometer = log["accelerometer"].copy()
     pairs = len(accelerometer) // 2
     accelerometer[1 : 2 * pairs : 2] = accelerometer[0 : 2 * pairs : 2]
@@ -67,7 +67,7 @@ def repeat_samples(log: Log) -> Log:
 
 
 def drop_rows(log: Log) -> Log:
-    """Drop three LowStates during every push, and every half second."""
+    """Return a log without three LowStates in every push, and without three every half second."""
     n = len(log["tick"])
     starts = [row + row_at(log, FAULT_AFTER_PUSH) for row in push_rows(log)]
     starts += range(row_at(log, 0.5), n - LOST_ROW_COUNT, row_at(log, 0.5))

@@ -1,8 +1,8 @@
 """Errors of estimates against the truth, row by row.
 
-Yaw is not observable, so the world frame of the estimator rotates about the vertical relative to
-the true one. This rotation is removed in every row first. Errors are estimate minus truth, in true
-world axes.
+Yaw is not observable. So the estimator's world frame rotates about the vertical, relative to the
+true world frame. This rotation is removed in every row first. Errors are estimate minus truth, in
+true world axes.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ class Errors:
     """Errors of every row.
 
     Attributes:
-        tilt: (n, 2) x and y of the rotation vector [rad].
-        tilt_from_bias: (n, 2) tilt error due to the accelerometer bias alone [rad]; at rest the
-            sensors cannot distinguish this bias from a tilt.
+        tilt: (n, 2) x and y of the rotation error vector [rad].
+        tilt_from_bias: (n, 2) part of the tilt error due to the accelerometer bias [rad]. At rest
+            the sensors cannot distinguish this bias from a tilt.
         velocity: (n, 3) velocity of the base [m/s].
         height: (n,) height of the base [m], with a constant offset of the world frames.
-        covariance: (n, 5, 5) covariance of tilt and velocity by the estimator; zeros if not kept.
+        covariance: (n, 5, 5) estimated covariance of tilt and velocity; zeros if it was not kept.
     """
 
     tilt: Array
@@ -55,7 +55,7 @@ def compute_errors(log: Log, estimates: Estimates) -> Errors:
     R_true = matrices(log["truth_quaternion"])
     R = matrices(estimates.q[:, [6, 3, 4, 5]])
     R_error = R @ np.swapaxes(R_true, 1, 2)
-    # Yaw of the decomposition of R_error into a vertical rotation after a horizontal one.
+    # Decompose R_error into a rotation about a horizontal axis, followed by this yaw.
     yaw = np.arctan2(R_error[:, 1, 0] - R_error[:, 0, 1], R_error[:, 0, 0] + R_error[:, 1, 1])
     R_yaw_removed = rotations_about_z(-yaw)
     v_world = np.einsum("nij,njk,nk->ni", R_yaw_removed, R, estimates.v[:, :3])

@@ -1,4 +1,4 @@
-"""Cases of the benchmark: the scenarios that each needs, and its evaluation for one seed."""
+"""Cases of the benchmark, each with its scenarios and its evaluation for one seed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ CaseFunction = Callable[[Robot, dict[str, Log], int], Result]
 
 @dataclass(frozen=True)
 class Case:
-    """One case.
+    """One case of the benchmark.
 
     Attributes:
         scenarios: Names of the recorded scenarios.

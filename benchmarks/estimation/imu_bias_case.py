@@ -43,7 +43,7 @@ def _bias_errors(log: Log, estimates: Estimates, last_still_row: int) -> Values:
 
 
 def _reached_angles(log: Log, last_still_row: int) -> Values:
-    """Return the largest angle reached about each axis, the smaller of both directions [deg]."""
+    """Return the angle [deg] that the body reached about each axis in both directions."""
     R = matrices(log["truth_quaternion"])
     turn = np.swapaxes(R[last_still_row : last_still_row + 1], 1, 2) @ R[last_still_row:]
     angles = {

@@ -17,8 +17,8 @@ from estimation.row_selection import push_rows, row_at, true_speed
 SPEED_TOLERANCE, TILT_TOLERANCE = (
     0.05,
     math.radians(1.0),
-)  # [m/s], [rad] errors that count as converged
-INITIAL_TILT_ERROR = math.radians(30.0)
+)  # [m/s], [rad] errors below which the estimate has converged
+INITIAL_TILT_ERROR = math.radians(30.0)  # [rad] tilt error of the quaternion at the start
 
 
 def init(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
@@ -46,7 +46,7 @@ def init(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
 def _moving_segments(log: Log) -> list[tuple[int, int]]:
     """Return (first, end) of segments of 1.5 s that start at the largest speed after a push.
 
-    They end before the next push, which would cause errors of its own.
+    Each segment ends before the next push, because the push would cause further errors.
     """
     window, length = row_at(log, 0.3), row_at(log, 1.5)
     begins = [
@@ -56,7 +56,10 @@ def _moving_segments(log: Log) -> list[tuple[int, int]]:
 
 
 def convergence_time(log: Log, errors: Errors) -> float:
-    """Return the time [s] after which velocity and tilt (without the bias part) stay right."""
+    """Return the time [s] after which the errors of velocity and tilt stay below the tolerances.
+
+    The part of the tilt error that is due to the accelerometer bias does not count.
+    """
     wrong = np.linalg.norm(errors.velocity, axis=1) > SPEED_TOLERANCE
     wrong |= np.linalg.norm(errors.tilt - errors.tilt_from_bias, axis=1) > TILT_TOLERANCE
     rows = np.flatnonzero(wrong)
@@ -64,7 +67,7 @@ def convergence_time(log: Log, errors: Errors) -> float:
 
 
 def tilt_quaternions(quaternions: Array, seed: int) -> Array:
-    """Rotate quaternions (n, 4) w x y z by 30 deg about a random horizontal world axis."""
+    """Return quaternions (n, 4) w x y z, rotated by 30 deg about a random horizontal world axis."""
     angle = np.random.default_rng([seed, 4]).uniform(0.0, 2.0 * math.pi)
     a, half = math.cos(INITIAL_TILT_ERROR / 2.0), math.sin(INITIAL_TILT_ERROR / 2.0)
     b, c = half * math.cos(angle), half * math.sin(angle)

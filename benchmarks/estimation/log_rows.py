@@ -26,7 +26,7 @@ _MOTORS = ("q", "dq", "tauEst")
 
 
 class LogBuilder:
-    """Builds a log row by row.
+    """Builder of a log, row by row.
 
     Args:
         size: Largest number of rows.
@@ -39,7 +39,7 @@ class LogBuilder:
         self._count = 0
 
     def add(self, frame: Array, truth: Log) -> None:
-        """Add the bytes of a LowState and the truth at its time."""
+        """Add a row: the bytes of a LowState, and the truth at the time of this LowState."""
         self._frames[self._count] = frame
         for name, value in truth.items():
             self._truth.setdefault(name, []).append(value)

@@ -31,9 +31,9 @@ class Metric:
 
     Attributes:
         unit: Unit as text.
-        upper_limit: Largest value that passes; None for no limit.
-        lower_limit: Smallest value that passes; None for no limit.
-        summed: Whether the values of the seeds are added instead of taking a percentile.
+        upper_limit: Largest value that passes. None: no limit.
+        lower_limit: Smallest value that passes. None: no limit.
+        summed: True if the values of the seeds are added; false for a percentile of the values.
     """
 
     unit: str
@@ -43,7 +43,7 @@ class Metric:
 
     @property
     def limit_text(self) -> str:
-        """The limit as text; empty if the figure has none."""
+        """Limit as text; empty if the figure has no limit."""
         if self.upper_limit is not None:
             return f"<= {self.upper_limit:g}"
         return "" if self.lower_limit is None else f">= {self.lower_limit:g}"
@@ -57,10 +57,10 @@ class Metric:
         return low <= value <= high
 
     def merge(self, values: dict[int, float]) -> tuple[float, int, float]:
-        """Return the merged value of all seeds, the worst seed and its value.
+        """Return the merged value of all seeds, the worst seed, and the value of the worst seed.
 
-        The merged value is the sum or the 95th percentile, or the 5th percentile if there is a
-        lower limit. It is NaN if any seed has NaN.
+        The merged value is the sum (`summed`), the 5th percentile (with a lower limit) or else the
+        95th percentile. It is NaN if any seed has NaN.
         """
         known = {seed: value for seed, value in values.items() if not math.isnan(value)}
         if len(known) < len(values):

@@ -12,10 +12,10 @@ from surefoot.sim import Flaws, Plant, PlantSettings
 
 from estimation.metrics import Result, Values
 
-PAYLOAD_SHARES = (-0.2, 0.2, 0.4)  # of the mass of the robot
+PAYLOAD_SHARES = (-0.2, 0.2, 0.4)  # payloads as shares of the robot's mass; < 0: a lighter trunk
 COM_SHIFT = 0.03  # [m] shift of the whole robot's centre of mass
-DURATION, JUDGED_TIME = 3.0, 0.2  # [s] length of a run, and of its end that is evaluated
-A1_PAYLOAD = 11.0  # [kg]
+DURATION, JUDGED_TIME = 3.0, 0.2  # [s] duration of a run, and of its evaluated end
+A1_PAYLOAD = 11.0  # [kg] payload of the a1
 MAX_HEIGHT_ERROR = 0.02  # [m] largest height error that counts as standing
 PAYLOAD_RESOLUTION = 0.25  # [kg] resolution of the largest payload
 
@@ -25,9 +25,9 @@ class StandResult:
     """State at the end of a run.
 
     Attributes:
-        fell: Whether the robot fell, or could not start.
+        fell: True if the robot fell, or could not start.
         height: Mean height error at the end [m], relative to the start of the controller.
-        tilt: Mean error of the direction of gravity in the base [rad], likewise.
+        tilt: Mean tilt error at the end [rad], relative to the start of the controller.
         payload: Estimated payload [kg].
     """
 
@@ -61,8 +61,8 @@ def payload(robot: str, seed: int) -> Result:
 def loaded_plant(robot: str, kilograms: float, seed: int, shift: float) -> PlantSettings:
     """Return settings of a plant with a payload or a lighter trunk, and a shifted centre of mass.
 
-    The payload is on the trunk. The trunk's centre of mass moves in a random direction, such that
-    that of the whole robot moves by `shift` [m].
+    The payload is on the trunk. The trunk's centre of mass moves in a random direction, so far that
+    the whole robot's centre of mass moves by `shift` [m].
     """
     nominal = Plant(robot, PlantSettings())
     doubled = Plant(robot, PlantSettings(flaws=Flaws(trunk_mass_scale=2.0)))
@@ -77,7 +77,10 @@ def loaded_plant(robot: str, kilograms: float, seed: int, shift: float) -> Plant
 
 
 def max_payload(robot: str, mass: float) -> float:
-    """Return the largest payload [kg] with which the robot stands for three seconds, bisected."""
+    """Return the largest payload [kg] with which the robot stands for three seconds.
+
+    The payload is found by bisection.
+    """
     low, high = 0.0, 3.0 * mass
     while high - low > PAYLOAD_RESOLUTION:
         middle = 0.5 * (low + high)
@@ -93,7 +96,7 @@ def run_stand(robot: str, settings: PlantSettings) -> StandResult:
     """Stand for three seconds and return the final errors."""
     try:
         plant = Plant(robot, settings)
-    except Error:  # it fell before the controller started
+    except Error:  # the robot fell before the controller started
         return StandResult(True, math.inf, math.pi, 0.0)
     controller = StandController(plant.robot, plant.robot.config.gains)
     state = plant.reset()

@@ -1,4 +1,4 @@
-"""Recording of closed-loop runs as sensor logs with the truth of the same times."""
+"""Recording of closed-loop runs as sensor logs, with the true state at the time of each row."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class Scenario:
 
     Attributes:
         robot: Name of the robot.
-        duration: Duration [s]; shorter if the robot falls.
-        plant: Settings of the plant. Sensors must be real: with ideal sensors, truth and LowState
-            are of different times.
+        duration: Duration [s]; the run ends earlier if the robot falls.
+        plant: Settings of the plant. Sensors must be real, because with ideal sensors the truth and
+            the LowState have different times.
         pushes: Pushes in percent of the LIP push limit or in N.s.
         lifts: External lifts.
         references: Body references.
@@ -56,7 +56,7 @@ def record(recording: Scenario) -> Log:
     control = _make_control(recording, plant)
     for k in range(rows.size):
         command = control(k, state)
-        # step() returns the LowState sampled now, so the truth of the same time is taken before.
+        # step() returns the LowState that is sampled at its start, so read the truth before step().
         truth = _truth(plant)
         state = plant.step(command)
         rows.add(state.raw, truth)

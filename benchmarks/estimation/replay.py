@@ -16,7 +16,7 @@ MAX_DT = 0.1  # [s] largest dt for StateEstimator.update()
 
 @dataclass(frozen=True)
 class Estimates:
-    """Output of the estimator after every row of a log, in its own world frame.
+    """Output of the estimator after every row of a log, in the estimator's world frame.
 
     Attributes:
         q: (n, 19) configurations in Pinocchio's order.

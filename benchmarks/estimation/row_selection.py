@@ -7,7 +7,7 @@ import numpy as np
 from estimation.log_rows import Array, Log
 from estimation.recording import sample_rate
 
-SETTLING_TIME = 1.0  # [s] time after which the estimator is evaluated
+SETTLING_TIME = 1.0  # [s] time after the start of a log from which the estimator is evaluated
 
 
 def rows_after(log: Log, start: float) -> slice:
@@ -21,7 +21,7 @@ def row_at(log: Log, time: float) -> int:
 
 
 def push_rows(log: Log) -> list[int]:
-    """Return the rows in which pushes start; pushes in the last 0.5 s are left out."""
+    """Return the rows in which pushes start, except for pushes in the last 0.5 s."""
     rows = [row_at(log, float(time)) for time in log["push_times"]]
     return [row for row in rows if row < len(log["tick"]) - row_at(log, 0.5)]
 

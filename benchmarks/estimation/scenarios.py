@@ -16,14 +16,14 @@ GYRO_BIAS_SIGMA, ACCELEROMETER_BIAS_SIGMA = (
     0.01,
     0.1,
 )  # [rad/s], [m/s^2] standard deviation of random biases
-LARGE_GYRO_BIAS, LARGE_ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] in the case bias
-PUSH_PERCENT, SHOVE_PERCENT = 60.0, 70.0  # percent of the LIP push limit
-PUSH_TIMES = (1.5, 3.5, 5.5, 7.5)  # [s]
-STILL_TIME = 10.0  # [s] before the body moves, in the scenario bias
-SWAY_DEG = 10.0
+LARGE_GYRO_BIAS, LARGE_ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] in the scenario bias
+PUSH_PERCENT, SHOVE_PERCENT = 60.0, 70.0  # [% of the LIP push limit] impulses of the pushes
+PUSH_TIMES = (1.5, 3.5, 5.5, 7.5)  # [s] start of each push
+STILL_TIME = 10.0  # [s] time of rest before the body moves in the scenario bias
+SWAY_DEG = 10.0  # [deg] amplitude of the motions in the scenario bias
 FAST_LIFT_SPEED = 1.2  # [m/s] lift that unloads each foot by 20 % of the weight within 20 ms
 
-REFERENCE_INTERVAL = 1.0  # [s] between references
+REFERENCE_INTERVAL = 1.0  # [s] time between two body references
 
 
 def quiet(robot: str, seed: int) -> Scenario:
@@ -47,7 +47,7 @@ def shove(robot: str, seed: int) -> Scenario:
 
 
 def lifts(robot: str, seed: int) -> Scenario:
-    """External lifts of the trunk: five fast ones, then a slow one."""
+    """External lifts of the trunk: five fast lifts, then a slow lift."""
     rng = np.random.default_rng([seed, 1])
     lifts = [
         Lift(
@@ -60,7 +60,7 @@ def lifts(robot: str, seed: int) -> Scenario:
 
 
 def feet(robot: str, seed: int) -> Scenario:
-    """External lifts of each foot: three fast ones, then a slow one."""
+    """External lifts of each foot: three fast lifts, then a slow lift."""
     rng = np.random.default_rng([seed, 2])
     lifts, time = [], 1.5
     for part in LIFT_PARTS[1:]:

@@ -46,7 +46,7 @@ def _drift_values(robot: Robot, log: Log) -> Values:
 
 
 def false_transitions(log: Log, estimates: Estimates) -> float:
-    """Return the number of estimated transitions of all feet without a true one."""
+    """Return the number of estimated transitions of all feet that match no true transition."""
     share, rate = normal_forces(log) / log["weight"], sample_rate(log)
     scores = [score_transitions(share[:, k], estimates.contact[:, k], rate) for k in range(4)]
     return float(sum(one.false for one in scores))
@@ -58,7 +58,7 @@ def push60(robot: Robot, logs: Logs, seed: int) -> Result:
     estimates = replay(robot, log, keep_covariance=True)
     errors, rows = compute_errors(log, estimates), rows_after(log, SETTLING_TIME)
     velocity, tilt = errors.velocity[rows], np.degrees(errors.tilt[rows])
-    # At rest a tilt of bias / g is not observable, so only the error beyond it counts.
+    # At rest a tilt of bias / g is not observable, so only the error beyond this tilt counts.
     indistinguishable_tilt = np.degrees(np.linalg.norm(errors.tilt_from_bias[rows], axis=1))
     excess_tilt = np.maximum(np.linalg.norm(tilt, axis=1) - indistinguishable_tilt, 0.0)
     has_forces = np.any(estimates.forces != 0.0)

@@ -9,9 +9,9 @@ from surefoot import LowCmd, Reference, WholeBodyController
 from surefoot.bench.problems.three_legged_stance import smoothstep, torque_command, true_state
 from surefoot.sim import Plant
 
-LOAD_TRANSFER_TIME = 0.01  # [s] for unloading a foot, and for loading it again
-LEAN_SHARE = 0.45  # of the distance from the centre of four feet to that of the three stance feet
-LEAN_TIME = 0.5  # [s] for leaning before a step, and for returning after it
+LOAD_TRANSFER_TIME = 0.01  # [s] duration of unloading a foot, and of loading it again
+LEAN_SHARE = 0.45  # lean as a share of the distance from the centre of four feet to that of three
+LEAN_TIME = 0.5  # [s] duration of leaning before a step, and of returning after the step
 
 
 @dataclass(frozen=True)
@@ -20,8 +20,8 @@ class Step:
 
     Attributes:
         foot: 0 FR, 1 FL, 2 RR, 3 RL.
-        time: Time of the lift-off [s]; unloading ends here.
-        duration: Time from lift-off to touch-down [s]; loading starts then.
+        time: Time of the lift-off [s], at which unloading ends.
+        duration: Time from lift-off to touch-down [s]; loading starts at touch-down.
         height: Largest height of the foot [m].
     """
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// Interface of all solvers. Each adapter is linked into a separate executable, so that a solver
-/// that crashes does not affect the others.
+/// Interface of all solvers. Each adapter is linked into its own executable, so that a crash of one
+/// solver does not affect other solvers.
 namespace bench {
 
 /// QP: minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u. Matrices are dense and
@@ -20,8 +20,8 @@ struct Problem {
 /// Status that a solver reports.
 enum class SolveStatus { kUnknown = 0, kSolved = 1, kFailed = 2 };
 
-/// Solution with H x + g + A'y + C'z = 0; z > 0 where the upper bound u is active, z < 0 where l
-/// is.
+/// Solution with H x + g + A'y + C'z = 0. A multiplier z is > 0 where the upper bound u is active,
+/// and < 0 where the lower bound l is active.
 struct Solution {
   std::vector<double> x, y, z;
 };
@@ -30,9 +30,9 @@ struct Solution {
 struct Setup {
   int n = 0, n_eq = 0, n_in = 0;
   double tolerance = 1e-6;
-  bool warm = true;  ///< keep the state of the last tick
-  /// Entries that are nonzero in any QP of the sequence, row-major, as a user of a sparse solver
-  /// knows them beforehand. Empty: all entries.
+  bool warm = true;  ///< start each solve from the state of the last tick
+  /// Whether each entry is nonzero in any QP of the sequence, row-major. A user of a sparse solver
+  /// would know these patterns beforehand. Empty: all entries are nonzero.
   std::vector<char> H_pattern, A_pattern, C_pattern;
 };
 
@@ -48,7 +48,7 @@ class Adapter {
   virtual bool can_warm_start() const { return true; }
   /// Discard all former solutions; memory and sparsity may stay. Not timed.
   virtual void clear_warm_start() = 0;
-  /// Copy the QP into the data structures that a user would have written it to. Not timed.
+  /// Copy the QP into the data structures that a user of the solver would fill. Not timed.
   virtual void load_problem(const Problem& problem) = 0;
   /// Solve the QP, with all conversions that the format of the solver requires. Timed.
   virtual SolveStatus solve() = 0;

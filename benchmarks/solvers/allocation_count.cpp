@@ -8,7 +8,7 @@ bool counting = false;  // not atomic: there is one thread
 long count = 0;
 }  // namespace
 
-// glibc's names of the original functions; dlsym() is not used because it allocates.
+// glibc's names of the original functions. They replace dlsym(), which would allocate.
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);

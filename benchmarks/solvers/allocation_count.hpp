@@ -3,8 +3,8 @@
 
 namespace bench {
 
-/// Switch counting of the heap allocations of this process on or off. malloc and related functions
-/// are replaced, which adds about a nanosecond to each call.
+/// Switch the counting of heap allocations on or off. This executable replaces malloc and related
+/// functions, which adds about a nanosecond to each call.
 void count_allocations(bool on);
 /// Return the number of allocations counted so far.
 long allocations();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs one solver over one sequence of QPs. Usage: PROGRAM describe, or
 //   PROGRAM SEQUENCE warm|cold RECORDS ANSWERS|- [TOLERANCE [ANSWERS_TO_WRITE]]
-// Only solve() is timed. The QP is loaded just before, as if a controller had just written it.
+// Only solve() is timed. The QP is loaded just before solve(), as if a controller had written it.
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -30,7 +30,7 @@ std::vector<double> read_reference(const std::string& path, std::size_t count) {
   return answers;
 }
 
-// The times include the reading of the clocks; the null adapter measures that overhead.
+// The times include the reading of the clocks; the null adapter measures this overhead.
 Record time_solve(Adapter& adapter) {
   Record record{};
   const long before = allocations();

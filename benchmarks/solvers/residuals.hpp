@@ -5,8 +5,8 @@
 
 namespace bench {
 
-/// Residuals of the optimality conditions (Karush, Kuhn, Tucker), computed here and never taken
-/// from a solver. If all three are zero, the solution of a strictly convex QP is exact.
+/// Residuals of the optimality conditions (Karush, Kuhn, Tucker), computed in the same way for all
+/// solvers. If all three are zero, the solution of a strictly convex QP is exact.
 struct Residuals {
   double primal = 0.0;  ///< largest violation of A x = b, l <= C x <= u
   double dual = 0.0;    ///< largest entry of H x + g + A'y + C'z

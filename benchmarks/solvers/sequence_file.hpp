@@ -20,7 +20,7 @@ class SequenceFile {
 
   int ticks() const { return ticks_; }
   const Problem& first_problem() const { return first_problem_; }
-  /// Copy the QP of a tick into a buffer, so that it is in the cache like one just written.
+  /// Copy the QP of a tick into a buffer, so that the QP is in the processor's cache.
   const Problem& load(int tick);
   /// Find the entries that are nonzero in any tick.
   void find_patterns(Setup& setup) const;

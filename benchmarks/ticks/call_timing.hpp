@@ -11,20 +11,20 @@ namespace bench {
 
 /// One timed call.
 struct CallTiming {
-  float wall = 0.0F;  ///< [us]
+  float wall = 0.0F;  ///< [us] wall time
   float cpu = 0.0F;   ///< [us] CPU time of this thread
   std::uint16_t iterations = 0;
   std::uint16_t failed = 0;  ///< 1: no usable status
 };
 
-/// Samples of one kind of call. Memory for all samples is reserved before the first.
+/// Timings of one kind of call. Memory for all timings is reserved before the first call.
 struct Series {
   Series(std::string n, std::size_t capacity) : name(std::move(n)) { timings.reserve(capacity); }
   std::string name;
   std::vector<CallTiming> timings;
-  long allocations = 0;  ///< heap allocations in all passes but the first
-  long page_faults = 0;  ///< page faults in all passes but the first
-  long first_allocations = 0, first_page_faults = 0;  ///< in the untimed first pass
+  long allocations = 0;  ///< number of heap allocations in all timed passes
+  long page_faults = 0;  ///< number of page faults in all timed passes
+  long first_allocations = 0, first_page_faults = 0;  ///< the same counts in the untimed first pass
   bool has_cpu_time = true;
 };
 

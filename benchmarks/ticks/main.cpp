@@ -2,8 +2,9 @@
 // Times the controller on recorded LowStates. `surefoot bench` runs it and reads its output.
 //   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] [--period-us P]
 //                       [--references FILE]
-// REPORTS has packed LowStates; --references has one BodyReference per LowState, set before it. OUT
-// starts with a line of JSON about the series; their samples follow, as bench::CallTiming.
+// REPORTS holds packed LowStates. --references holds one BodyReference per LowState; the controller
+// receives it before that LowState. OUT starts with one line of JSON that describes every series.
+// The bench::CallTiming records of all series follow in the same order.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -93,7 +94,7 @@ int main(int argc, char** argv) {
   }
   try {
     const bench::ReplayPlan plan = read_plan(argc, argv);
-    // Locking may be forbidden; page faults are counted either way.
+    // The system may forbid locking; page faults are counted in both cases.
     const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
     std::vector<bench::Series> all;
     all.push_back(bench::time_ticks(plan));

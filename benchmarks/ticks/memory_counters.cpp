@@ -41,7 +41,7 @@ int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
   ++allocations;
   return real(out, alignment, size);
 }
-void* __libc_calloc(std::size_t, std::size_t);  // dlsym() itself may call calloc()
+void* __libc_calloc(std::size_t, std::size_t);  // used because dlsym() may call calloc()
 void* calloc(std::size_t number, std::size_t size) {
   ++allocations;
   return __libc_calloc(number, size);

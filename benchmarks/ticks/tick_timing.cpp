@@ -24,7 +24,7 @@ void count_memory(long& allocations, long& faults, Call&& call) {
   faults = page_faults() - faults_before;
 }
 
-// Run one pass to warm up, counted separately, then the timed passes.
+// Run one untimed pass to warm up, with its own counts, and then the timed passes.
 template <typename Pass>
 void run_passes(const ReplayPlan& plan, Series& series, Pass&& pass) {
   count_memory(series.first_allocations, series.first_page_faults, pass);
@@ -123,7 +123,8 @@ Series time_state_to_torque(const ReplayPlan& plan) {
 }
 
 std::vector<Series> time_stages(const ReplayPlan& plan) {
-  // Limit the samples: there is a series per stage, and more samples add no information.
+  // Limit the number of passes: every stage has its own series, and more timings add no
+  // information.
   const long passes = std::min(
       plan.passes, std::max(1L, kMaxStageTimings / static_cast<long>(plan.reports.size())));
   std::vector<Series> stages;

@@ -15,17 +15,17 @@ struct ReplayPlan {
   surefoot::Robot robot;
   surefoot::Gains gains;
   surefoot::QpForm form = surefoot::QpForm::kAuto;
-  long passes = 1;     ///< timed passes over the LowStates, after an untimed one
+  long passes = 1;     ///< number of timed passes over the LowStates, after one untimed pass
   long period = 2000;  ///< time between LowStates [us]
   std::vector<surefoot::LowState> reports;
-  std::vector<surefoot::BodyReference> references;  ///< set before each LowState; may be empty
+  std::vector<surefoot::BodyReference> references;  ///< one per LowState, or empty
 };
 
 /// Time StandController::update(), LowState to LowCmd.
 Series time_ticks(const ReplayPlan& plan);
 
-/// Time StandController::update() at the rate of the LowStates, sleeping in between, so that other
-/// processes use the caches meanwhile. Runs once over the first LowStates.
+/// Time StandController::update() at the rate of the LowStates, in one pass over the first
+/// LowStates. The thread sleeps between ticks, so that other processes use the caches.
 Series time_paced_ticks(const ReplayPlan& plan);
 
 /// Time WholeBodyController::update(), state to torque, on the estimated states and the references
@@ -35,7 +35,8 @@ Series time_state_to_torque(const ReplayPlan& plan);
 /// Time the stages of a tick, with one series per stage; the clock is read at each change of stage.
 std::vector<Series> time_stages(const ReplayPlan& plan);
 
-/// Time an idle loop that lasts about as long as a tick: its tail shows the jitter of the machine.
+/// Time an empty busy loop that lasts about as long as a tick. The longest times of this series
+/// show the jitter of the machine.
 /// @param length duration of the loop [us]
 Series time_null(const ReplayPlan& plan, double length);
 

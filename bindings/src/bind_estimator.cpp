@@ -13,13 +13,16 @@ namespace {
 
 void bind_enums(nb::module_& m) {
   nb::enum_<SensorVerdict>(m, "SensorVerdict", "What the estimator concludes about a sensor.")
-      .value("GOOD", SensorVerdict::kGood, "Used.")
-      .value("UNJUDGED", SensorVerdict::kUnjudged, "Not enough has happened yet to judge it.")
-      .value("ZERO", SensorVerdict::kZero, "Reads exactly zero.")
-      .value("CONSTANT", SensorVerdict::kConstant, "Does not change although the robot moves.")
-      .value("SATURATED", SensorVerdict::kSaturated, "At the end of its range.")
-      .value("DISAGREES", SensorVerdict::kDisagrees, "Contradicts the other sensors.")
-      .value("IMPLAUSIBLE", SensorVerdict::kImplausible, "Beyond what it can measure.");
+      .value("GOOD", SensorVerdict::kGood, "The estimator uses the sensor.")
+      .value("UNJUDGED", SensorVerdict::kUnjudged,
+             "There is not enough evidence yet to judge the sensor.")
+      .value("ZERO", SensorVerdict::kZero, "The sensor reads exactly zero.")
+      .value("CONSTANT", SensorVerdict::kConstant,
+             "The reading does not change although the robot moves.")
+      .value("SATURATED", SensorVerdict::kSaturated, "The reading is at the end of its range.")
+      .value("DISAGREES", SensorVerdict::kDisagrees, "The reading contradicts the other sensors.")
+      .value("IMPLAUSIBLE", SensorVerdict::kImplausible,
+             "The reading is beyond what the sensor can measure.");
   nb::enum_<ContactSource>(m, "ContactSource",
                            "Measurement that shows whether a foot is on the ground.")
       .value("FOOT_FORCE_EST", ContactSource::kFootForceEst, "footForceEst [N].")
@@ -28,26 +31,27 @@ void bind_enums(nb::module_& m) {
       .value("TAU_EST", ContactSource::kTauEst,
              "Foot force computed from the joint torques of the leg.")
       .value("NO_SLIP", ContactSource::kNoSlip,
-             "Motion of the foot: one that rises or moves fast is off the ground.");
+             "Foot motion: a foot that rises or moves fast is off the ground.");
 }
 
 void bind_report(nb::module_& m) {
   using R = EstimatorReport;
   nb::class_<R>(m, "EstimatorReport",
-                "Uncertainty of the state estimate, and the estimator's view of its sensors.\n\n"
-                "Feet run FR FL RR RL.")
+                "Uncertainty of the state estimate, and verdicts on the sensors.\n\n"
+                "Arrays over feet are in leg order: FR FL RR RL.")
       .def_ro("gyroscope", &R::gyroscope, "Verdict on imu.gyroscope.")
       .def_ro("accelerometer", &R::accelerometer, "Verdict on imu.accelerometer.")
       .def_ro("quaternion", &R::quaternion, "Verdict on imu.quaternion.")
       .def_ro("contact_sources", &R::contact_sources,
               "Verdicts on the contact sources, [ContactSource][foot].")
       .def_ro("contact_by_source", &R::contact_by_source,
-              "Evidence of each source alone, shape (4, 4): row ContactSource, column foot.\n\n"
-              "0 off the ground, 1 loaded, 0.5 no evidence.")
+              "Contact evidence of each source alone, shape (4, 4): row ContactSource, column\n"
+              "foot.\n\n"
+              "0: off the ground, 1: loaded, 0.5: no evidence.")
       .def_ro("foot_forces_from_torques", &R::foot_forces_from_torques,
-              "Force of the ground on each foot by the joint torques [N], world axes, shape (3,\n"
-              "4).\n\n"
-              "A generalised-momentum observer (De Luca, Mattone 2003).")
+              "Ground force on each foot [N], computed from the joint torques, world axes,\n"
+              "shape (3, 4).\n\n"
+              "Method: generalised-momentum observer (De Luca, Mattone 2003).")
       .def_ro("slip", &R::slip,
               "How sure the estimator is that a loaded foot slips, 0 .. 1, shape (4,).")
       .def_ro("gyroscope_bias", &R::gyroscope_bias,
@@ -56,21 +60,25 @@ void bind_report(nb::module_& m) {
               "Bias of the accelerometer [m/s^2], base axes, shape (3,).")
       .def_ro("covariance", &R::covariance,
               "Covariance of the errors (estimate minus truth), shape (15, 15).\n\n"
-              "Order: rotation of the base (world axes) [rad], its velocity [m/s] and position\n"
-              "[m] in the world, gyroscope_bias, accelerometer_bias.")
+              "Order: rotation of the base [rad], velocity of the base [m/s], position of the\n"
+              "base [m], all in world axes; then gyroscope_bias, accelerometer_bias.")
       .def_ro("nis", &R::nis,
               "Normalised innovation squared of the foot measurements in the last update.")
       .def_ro("nis_dimension", &R::nis_dimension, "Dimension of nis.")
       .def_ro("rejected_feet", &R::rejected_feet,
-              "Feet that the innovation gate rejected in the last update, 4 booleans.")
-      .def_ro("force_external", &R::force_external,
+              "For each foot, whether the innovation gate rejected it in the last update, 4\n"
+              "booleans.")
+      .def_ro("f_sustained", &R::f_sustained,
               "Sustained external force [N], world axes, shape (3,).")
       .def_ro("moment_external", &R::moment_external,
               "Sustained external moment about the centre of mass [N.m], world axes, shape\n"
               "(3,).")
-      .def_ro("payload", &R::payload, "Mass beyond the model [kg]; may be negative.")
+      .def_ro("payload", &R::payload,
+              "Mass of the robot minus mass of the model [kg]; may be\n"
+              "negative.")
       .def_ro("com_shift", &R::com_shift,
-              "Centre of mass, loaded minus model [m], base axes, shape (3,).");
+              "Shift of the centre of mass against the model, caused by the payload [m], base\n"
+              "axes, shape (3,).");
 }
 
 void bind_state_estimator(nb::module_& m) {
@@ -81,25 +89,26 @@ void bind_state_estimator(nb::module_& m) {
       "A contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice,\n"
       "Grizzle, 2020) estimates orientation, velocity, position, contact points and IMU\n"
       "biases from the raw gyroscope and accelerometer and the leg kinematics. The\n"
-      "quaternion of the IMU only initialises it, is checked against it, and replaces a\n"
-      "gyroscope that has stopped. The contact confidence of each foot is fused from\n"
-      "footForceEst, footForce, joint torques and foot motion, which are also checked\n"
-      "against each other.\n\n"
+      "filter uses the IMU quaternion at the start. Later the filter checks the\n"
+      "quaternion, and uses it if the gyroscope is zero or constant. The contact\n"
+      "confidence of each foot is fused from footForceEst, footForce, joint torques and\n"
+      "foot motion. These contact sources are also checked against each other.\n\n"
       "The world frame has z up; at the first sample it has the heading of the base,\n"
       "and the mean height of the feet is zero. Position and yaw are not observable, so\n"
-      "they drift; report has their covariance. Not thread-safe.")
+      "both drift; report has the covariance. Not thread-safe.")
       .def(nb::init<const Robot&>(), "robot"_a)
       .def("update", &StateEstimator::update, "low_state"_a, "dt"_a,
            "Process one sample. Never raises. Real-time: yes.\n\n"
            "Args:\n"
-           "    low_state: IMU, joint angles, velocities and torques of motors 0 .. 11,\n"
-           "        footForce and footForceEst are read.\n"
+           "    low_state: Sample. Fields read: imu, q, dq and tauEst of motors 0 .. 11,\n"
+           "        footForce, footForceEst.\n"
            "    dt: Time since the last processed sample [s], 0 < dt <= 0.1.\n\n"
            "Returns:\n"
-           "    Status OK; STALE_TICK (dt out of range), NON_FINITE or IMPLAUSIBLE, with the\n"
-           "    state unchanged; DIVERGED if no motion explains the samples: the estimator\n"
-           "    then starts again with the next sample. A finite quaternion that is not of\n"
-           "    unit length only lowers its own verdict in report.")
+           "    Status. OK: the sample was processed. STALE_TICK (dt out of range),\n"
+           "    NON_FINITE, IMPLAUSIBLE: the state is unchanged. DIVERGED: no motion\n"
+           "    explains the samples, and the estimator starts again with the next sample. A\n"
+           "    finite quaternion that is not of unit length only changes its verdict in\n"
+           "    report.")
       .def_prop_ro(
           "state", [](const StateEstimator& e) { return RobotState(e.state()); },
           "Estimated state, a copy.")
@@ -107,13 +116,16 @@ void bind_state_estimator(nb::module_& m) {
           "report", [](const StateEstimator& e) { return EstimatorReport(e.report()); },
           "Uncertainty of the state and verdicts on the sensors, a copy.")
       .def_prop_ro("normal_forces_from_torques", &StateEstimator::normal_forces_from_torques,
-                   "Normal force on each foot by the joint torques [N], FR FL RR RL, shape (4,).")
+                   "Normal force on each foot [N], computed from the joint torques, FR FL RR RL,\n"
+                   "shape (4,).")
       .def_prop_ro("has_foot_force_est", &StateEstimator::has_foot_force_est,
                    "True if footForceEst works on this robot: its sum has matched the load on the\n"
                    "feet.")
       .def("set_gains", &StateEstimator::set_gains, "gains"_a,
            "Set the gains. Raises Error and changes nothing if a gain is invalid.")
-      .def("reset", &StateEstimator::reset, "Start again with the next sample. Real-time: yes.");
+      .def("reset", &StateEstimator::reset,
+           "Discard the estimate and start again with the next\n"
+           "sample. Real-time: yes.");
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ void require_usable(const char* what, const FrameReport& report) {
   if (!is_usable(report.status)) throw Error(std::string(what) + ": " + to_text(report));
 }
 
-// The encoder of Python returns the bytes and a sentence about saturated fields, empty if none.
+// _encode_*() returns the bytes and a text about the saturated fields. The text is empty if no
+// field is saturated.
 template <typename Struct>
 using Encode = FrameReport (*)(const Struct&, const FrameExtras&, Generation, Frame&) noexcept;
 template <typename Struct>
@@ -53,26 +54,31 @@ void def_frame(nb::module_& m, const char* what, Encode<Struct> encode, Decode<S
 void bind_extras(nb::module_& m) {
   nb::class_<FrameExtras> c(
       m, "FrameExtras",
-      "Fields of some frame generations that LowCmd and LowState do not have.\n\n"
+      "Fields that some frame formats have but LowCmd and LowState do not.\n\n"
       "Surefoot only passes them on.");
   c.def(nb::init<>());
   def_number(c, "commVersion", &FrameExtras::commVersion,
-             "Communication version; a1-v3.3, go1-v3.4.");
-  def_number(c, "robotID", &FrameExtras::robotID, "Robot number; a1-v3.3, go1-v3.4.");
+             "Communication version. Only in generations a1-v3.3 and go1-v3.4.");
+  def_number(c, "robotID", &FrameExtras::robotID,
+             "Robot number. Only in generations a1-v3.3 and go1-v3.4.");
   c.def_prop_ro(
       "led",
       [](nb::handle self) {
         auto* data = reinterpret_cast<std::uint8_t*>(nb::cast<FrameExtras&>(self).led.data());
         return nb::ndarray<nb::numpy, std::uint8_t, nb::shape<4, 3>>(data, {4, 3}, self);
       },
-      "a1-v3.3, LowCmd only: red, green, blue of four lights, a writable view of shape\n"
-      "(4, 3).");
+      "Red, green, blue of four lights, a writable view of shape (4, 3). Only in LowCmd\n"
+      "of generation a1-v3.3.");
   def_array(c, "BQ_NTC", &FrameExtras::BQ_NTC,
-            "b1-v3.8, LowState only: battery sensors 2 .. 7 [deg C], shape (6,).");
-  def_array(c, "MCU_NTC", &FrameExtras::MCU_NTC,
-            "b1-v3.8, LowState only: battery sensors 2 .. 7 [deg C], shape (6,).");
+            "Elements 2 .. 7 of BQ_NTC [deg C], shape (6,); BmsState.BQ_NTC has elements 0 and 1.\n"
+            "Only in LowState of generation b1-v3.8.");
+  def_array(
+      c, "MCU_NTC", &FrameExtras::MCU_NTC,
+      "Elements 2 .. 7 of MCU_NTC [deg C], shape (6,); BmsState.MCU_NTC has elements 0 and 1.\n"
+      "Only in LowState of generation b1-v3.8.");
   def_array(c, "cell_vol", &FrameExtras::cell_vol,
-            "b1-v3.8, LowState only: battery cells 10 .. 29 [mV], shape (20,).");
+            "Voltages of battery cells 10 .. 29 [mV], shape (20,); BmsState.cell_vol has\n"
+            "cells 0 .. 9. Only in LowState of generation b1-v3.8.");
 }
 
 void bind_remote(nb::module_& m) {
@@ -95,7 +101,7 @@ void bind_remote(nb::module_& m) {
       .value("LEFT", Button::kLeft, "Bit 15 of the buttons.");
   nb::class_<WirelessRemote>(m, "WirelessRemote",
                              "Buttons and sticks in the 40 bytes of LowState.wirelessRemote.\n\n"
-                             "As in the SDK's joystick.h.")
+                             "The layout is that of the SDK's joystick.h.")
       .def(nb::init<>())
       .def_rw("buttons", &WirelessRemote::buttons, "One bit per button, see Button.")
       .def_rw("lx", &WirelessRemote::lx, "Left stick, positive to the right: -1 .. 1.")
@@ -130,7 +136,7 @@ void bind_remote(nb::module_& m) {
           "data"_a,
           "Decode the 40 bytes of LowState.wirelessRemote.\n\n"
           "If a stick value is not finite or its magnitude is above 1.05, all sticks are\n"
-          "set to 0; buttons are decoded all the same. Raises ValueError if the number of\n"
+          "set to 0; the buttons are still decoded. Raises ValueError if the number of\n"
           "bytes is not 40.");
 }
 

@@ -21,18 +21,21 @@ void bind_counts(nb::module_& m) {
       .def_ro("received", &LinkCounts::received, "Datagrams from the peer, valid or not.")
       .def_ro("valid", &LinkCounts::valid, "Valid LowStates of the expected generation.")
       .def_ro("lost", &LinkCounts::lost,
-              "LowStates missing by the sequence of ticks, long gaps included.")
-      .def_ro("late", &LinkCounts::late, "New LowStates more than 10 ms after the one before.")
-      .def_ro("duplicate", &LinkCounts::duplicate, "LowStates whose tick had arrived before.")
+              "LowStates that are missing in the tick sequence, long gaps included.")
+      .def_ro("late", &LinkCounts::late,
+              "New LowStates that arrived more than 10 ms after the\n"
+              "previous one.")
+      .def_ro("duplicate", &LinkCounts::duplicate, "LowStates whose tick had already arrived.")
       .def_ro("reordered", &LinkCounts::reordered,
-              "LowStates older than the newest that had been missing.")
+              "Late LowStates: counted as lost, then received after a newer one.")
       .def_ro("restarts", &LinkCounts::restarts,
-              "Restarts of the tick sequence: five rising ticks in a row from behind.")
+              "Restarts of the robot: five consecutive LowStates whose ticks increase but are\n"
+              "all older than the newest tick.")
       .def_ro("corrupt", &LinkCounts::corrupt,
-              "Datagrams of the right length that are not a valid frame.")
+              "Datagrams whose length is right but whose content is no valid frame.")
       .def_ro("wrong_generation", &LinkCounts::wrong_generation, "Frames of another generation.")
       .def_ro("wrong_length", &LinkCounts::wrong_length,
-              "Datagrams with the length of no generation.")
+              "Datagrams whose length fits no generation.")
       .def_ro("strangers", &LinkCounts::strangers, "Datagrams from other senders than the peer.")
       .def_ro("floods", &LinkCounts::floods,
               "Calls of receive() that read the maximum of 64 datagrams.");
@@ -41,12 +44,12 @@ void bind_counts(nb::module_& m) {
 void bind_udp_link(nb::module_& m) {
   nb::class_<UdpLink>(
       m, "UdpLink",
-      "Client of the robot's UDP port on this machine: sends LowCmd frames, receives\n"
+      "UDP client for a virtual robot on this machine: sends LowCmd frames and receives\n"
       "LowState frames.\n\n"
       "Datagrams from other senders than the peer are ignored. Until a valid LowState\n"
       "has shown that the robot uses the expected generation, only damping frames are\n"
-      "sent, whatever command is given. The age of a state counts from its arrival at\n"
-      "this machine. Not thread-safe. For a real robot use StandRunner.")
+      "sent, whatever command is given. state_age is measured from the arrival of the\n"
+      "LowState at this machine. Not thread-safe. For a real robot use StandRunner.")
       .def(
           "__init__",
           [](UdpLink* self, const std::string& host, int port, const std::string& generation,
@@ -61,11 +64,12 @@ void bind_udp_link(nb::module_& m) {
           "    port: UDP port of the robot, 1 .. 65535.\n"
           "    generation: Frame format, one of surefoot.protocol.GENERATIONS.\n"
           "    local_port: Local UDP port; 0: any free port.\n"
-          "    damping_kd: Damping in the link's own damping frames [N.m.s/rad], 0.0625 ..\n"
-          "        50.\n\n"
+          "    damping_kd: Kd in the damping frames that the link itself sends [N.m.s/rad],\n"
+          "        0.0625 .. 50.\n\n"
           "Raises:\n"
-          "    Error: Unknown host or generation, no loopback address, a port out of range,\n"
-          "        in use or not permitted, damping_kd out of range.")
+          "    Error: The host or the generation is unknown, the host is not a loopback\n"
+          "        address, a port is out of range, in use or not permitted, or damping_kd\n"
+          "        is out of range.")
       .def("receive", &UdpLink::receive,
            "Read the waiting datagrams, at most 64, and keep the newest valid LowState.\n\n"
            "Never blocks. Real-time: yes.\n\n"
@@ -73,7 +77,8 @@ void bind_udp_link(nb::module_& m) {
            "    True if a newer LowState has arrived; see state_age for its age.")
       .def(
           "send", [](UdpLink& link, const LowCmd& cmd) { return to_text(link.send(cmd)); }, "cmd"_a,
-          "Send a command; send damping instead before has_state or if it is not finite.\n\n"
+          "Send a command. Until has_state is True, or if the command is not finite, a\n"
+          "damping frame is sent instead.\n\n"
           "Never blocks. Real-time: yes.\n\n"
           "Returns:\n"
           "    'ok', or a sentence about the fields that were saturated or not finite.")
@@ -82,13 +87,13 @@ void bind_udp_link(nb::module_& m) {
           "state", [](const UdpLink& link) { return LowState(link.state()); },
           "Newest LowState, a copy.")
       .def_prop_ro("state_age", &UdpLink::state_age,
-                   "Time since state arrived [s]; inf before the first.")
+                   "Time since the newest LowState arrived [s]; inf before the first LowState.")
       .def_prop_ro(
           "counts", [](const UdpLink& link) { return LinkCounts(link.counts()); },
           "Counts since the link was opened, a copy.")
       .def_prop_ro(
           "last_reject", [](const UdpLink& link) { return to_text(link.last_reject()); },
-          "Why the last invalid datagram was rejected, in a sentence.")
+          "Reason why the last invalid datagram was rejected, a sentence.")
       .def_prop_ro("local_port", &UdpLink::local_port, "Local UDP port.");
 }
 

@@ -17,7 +17,7 @@ template <typename Element, std::size_t N>
 void bind_struct_array(nb::module_& m, const char* name) {
   using Row = std::array<Element, N>;
   nb::class_<Row>(m, name,
-                  "Fixed array of 20 motor slots; elements are references into the struct.")
+                  "Fixed array of 20 motor slots. Writing to an element writes to the struct.")
       .def("__len__", [](const Row&) { return N; })
       .def(
           "__getitem__",
@@ -67,30 +67,36 @@ void bind_imu(nb::module_& m) {
   nb::class_<IMU> imu(m, "IMU",
                       "Inertial measurement unit, in its own axes. Arrays are writable views.");
   def_array(imu, "quaternion", &IMU::quaternion,
-            "w x y z, IMU axes to world axes; vendor's attitude filter. Used.");
-  def_array(imu, "gyroscope", &IMU::gyroscope, "Angular velocity [rad/s], raw. Used.");
+            "Quaternion w x y z from IMU to world axes, from the vendor's attitude filter.\n"
+            "Read by StandController.");
+  def_array(imu, "gyroscope", &IMU::gyroscope,
+            "Angular velocity [rad/s], raw. Read by StandController.");
   def_array(imu, "accelerometer", &IMU::accelerometer,
-            "Specific force [m/s^2], raw: +9.81 on z at rest. Used.");
-  def_array(imu, "rpy", &IMU::rpy, "Roll, pitch, yaw [rad] (ZYX). Not used.");
-  def_number(imu, "temperature", &IMU::temperature, "Temperature [deg C]. Not used.");
+            "Specific force [m/s^2], raw: +9.81 on z at rest. Read by StandController.");
+  def_array(imu, "rpy", &IMU::rpy,
+            "Roll, pitch, yaw [rad] (ZYX). Surefoot does not read this\n"
+            "field.");
+  def_number(imu, "temperature", &IMU::temperature,
+             "Temperature [deg C]. Surefoot does not read this field.");
 }
 
 void bind_motor_state(nb::module_& m) {
   nb::class_<MotorState> c(m, "MotorState",
-                           "State of one motor, joint-side: the SDK has removed the gear ratio.");
+                           "State of one motor, joint-side: the SDK has removed the gear ratio.\n"
+                           "Surefoot does not read fields without a reader in their description.");
   def_number(c, "mode", &MotorState::mode,
-             "0x0A servo, 0x00 damping, 0x08 overheated. Used by Supervisor.");
-  def_number(c, "q", &MotorState::q, "Joint angle [rad]. Used.");
-  def_number(c, "dq", &MotorState::dq, "Joint velocity [rad/s]. Used.");
-  def_number(c, "ddq", &MotorState::ddq, "Joint acceleration [rad/s^2]. Not used.");
+             "Motor mode: 0x0A servo, 0x00 damping, 0x08 overheated. Read by Supervisor.");
+  def_number(c, "q", &MotorState::q, "Joint angle [rad]. Read by StandController.");
+  def_number(c, "dq", &MotorState::dq, "Joint velocity [rad/s]. Read by StandController.");
+  def_number(c, "ddq", &MotorState::ddq, "Joint acceleration [rad/s^2].");
   def_number(c, "tauEst", &MotorState::tauEst,
-             "Joint torque estimated from the motor current [N.m]. Used.");
-  def_number(c, "q_raw", &MotorState::q_raw, "Reserved by the vendor. Not used.");
-  def_number(c, "dq_raw", &MotorState::dq_raw, "Reserved by the vendor. Not used.");
-  def_number(c, "ddq_raw", &MotorState::ddq_raw, "Reserved by the vendor. Not used.");
+             "Joint torque estimated from the motor current [N.m]. Read by StandController.");
+  def_number(c, "q_raw", &MotorState::q_raw, "Reserved by the vendor.");
+  def_number(c, "dq_raw", &MotorState::dq_raw, "Reserved by the vendor.");
+  def_number(c, "ddq_raw", &MotorState::ddq_raw, "Reserved by the vendor.");
   def_number(c, "temperature", &MotorState::temperature,
-             "Temperature [deg C]; lags behind the winding temperature. Used by Supervisor.");
-  def_array(c, "reserve", &MotorState::reserve, "Reserved by the vendor. Not used.");
+             "Temperature [deg C]; lags behind the winding temperature. Read by Supervisor.");
+  def_array(c, "reserve", &MotorState::reserve, "Reserved by the vendor.");
   bind_struct_array<MotorState, kMotorSlots>(m, "MotorStateArray");
 }
 
@@ -98,7 +104,7 @@ void bind_motor_cmd(nb::module_& m) {
   nb::class_<MotorCmd> c(m, "MotorCmd",
                          "Command to one motor, joint-side.\n\n"
                          "tau_motor = tau + Kp (q - q_motor) + Kd (dq - dq_motor)");
-  def_number(c, "mode", &MotorCmd::mode, "0x0A servo, 0x00 damping.");
+  def_number(c, "mode", &MotorCmd::mode, "Motor mode: 0x0A servo, 0x00 damping.");
   def_number(c, "q", &MotorCmd::q, "Desired joint angle [rad], or PosStopF.");
   def_number(c, "dq", &MotorCmd::dq, "Desired joint velocity [rad/s], or VelStopF.");
   def_number(c, "tau", &MotorCmd::tau, "Feed-forward torque [N.m].");
@@ -109,19 +115,24 @@ void bind_motor_cmd(nb::module_& m) {
 }
 
 void bind_battery(nb::module_& m) {
-  nb::class_<BmsCmd> cmd(m, "BmsCmd", "Battery command. Surefoot never writes it.");
+  nb::class_<BmsCmd> cmd(m, "BmsCmd", "Battery command. Surefoot never writes this command.");
   def_number(cmd, "off", &BmsCmd::off, "0xA5 switches the battery off.");
   def_array(cmd, "reserve", &BmsCmd::reserve, "Reserved by the vendor.");
-  nb::class_<BmsState> c(
-      m, "BmsState", "State of the battery. Supervisor makes the robot sit down when SOC is low.");
-  def_number(c, "version_h", &BmsState::version_h, "Firmware version, high.");
-  def_number(c, "version_l", &BmsState::version_l, "Firmware version, low.");
+  nb::class_<BmsState> c(m, "BmsState",
+                         "State of the battery. If SOC is low, the Supervisor lets the robot sit\n"
+                         "down.");
+  def_number(c, "version_h", &BmsState::version_h, "Firmware version, high byte.");
+  def_number(c, "version_l", &BmsState::version_l, "Firmware version, low byte.");
   def_number(c, "bms_status", &BmsState::bms_status, "Status code of the vendor.");
   def_number(c, "SOC", &BmsState::SOC, "State of charge [%].");
   def_number(c, "current", &BmsState::current, "Battery current [mA].");
   def_number(c, "cycle", &BmsState::cycle, "Number of charge cycles.");
-  def_array(c, "BQ_NTC", &BmsState::BQ_NTC, "Battery temperatures [deg C], shape (2,).");
-  def_array(c, "MCU_NTC", &BmsState::MCU_NTC, "Battery temperatures [deg C], shape (2,).");
+  def_array(
+      c, "BQ_NTC", &BmsState::BQ_NTC,
+      "Temperatures of the sensors BQ_NTC [deg C], shape (2,); the vendor does not say where.");
+  def_array(
+      c, "MCU_NTC", &BmsState::MCU_NTC,
+      "Temperatures of the sensors MCU_NTC [deg C], shape (2,); the vendor does not say where.");
   def_array(c, "cell_vol", &BmsState::cell_vol, "Cell voltages [mV], shape (10,).");
 }
 
@@ -135,49 +146,53 @@ void def_header(nb::class_<Frame>& c) {
   def_number(c, "bandWidth", &Frame::bandWidth, "Bandwidth field of the vendor.");
   def_array(c, "wirelessRemote", &Frame::wirelessRemote,
             "Remote control, 40 bytes; see surefoot.protocol.WirelessRemote.");
-  def_number(c, "reserve", &Frame::reserve, "Vendor's reserve.");
+  def_number(c, "reserve", &Frame::reserve, "Reserved by the vendor.");
   def_number(c, "crc", &Frame::crc, "CRC of the wire frame; set by decoding, not computed here.");
 }
 
 void bind_states(nb::module_& m) {
   nb::class_<LowState> state(
       m, "LowState",
-      "Sample that the robot sends in every tick: unitree_legged_sdk v3.5 - v3.8 (Go1),\n"
+      "Sample that the robot sends periodically: unitree_legged_sdk v3.5 - v3.8 (Go1),\n"
       "937 bytes, packed.\n\n"
-      "Used by StandController: imu.quaternion, gyroscope, accelerometer; motorState q,\n"
-      "dq, tauEst of motors 0 .. 11; footForce; footForceEst; tick. Supervisor also\n"
-      "uses motorState mode and temperature, bms and wirelessRemote. All other fields\n"
-      "are only passed on.");
+      "The StandController reads imu.quaternion, gyroscope, accelerometer; motorState\n"
+      "q, dq, tauEst of motors 0 .. 11; footForce; footForceEst; tick. The Supervisor\n"
+      "also reads motorState mode and temperature, bms and wirelessRemote. All other\n"
+      "fields are only passed on.");
   def_bytes_access(state, init_low_state);
   def_header(state);
   state.def_prop_ro(
       "imu", [](LowState& s) -> IMU& { return s.imu; }, nb::rv_policy::reference_internal,
-      "Inertial measurement unit, a reference.");
+      "Inertial measurement unit; not a copy.");
   state.def_prop_ro(
       "motorState", [](LowState& s) -> auto& { return s.motorState; },
       nb::rv_policy::reference_internal,
-      "20 slots, 12 motors: FR FL RR RL x hip thigh calf. References.");
+      "20 slots; 0 .. 11 are the motors in SDK order. Writing to an element writes to\n"
+      "the struct.");
   state.def_prop_ro(
       "bms", [](LowState& s) -> BmsState& { return s.bms; }, nb::rv_policy::reference_internal,
-      "State of the battery, a reference.");
+      "State of the battery; not a copy.");
   def_array(state, "footForce", &LowState::footForce,
-            "Raw counts, shape (4,), FR FL RR RL; offsets differ and drift. Used.");
+            "Foot forces [raw counts], shape (4,), FR FL RR RL; offsets differ and drift.\n"
+            "Read by StandController.");
   def_array(state, "footForceEst", &LowState::footForceEst,
-            "Foot forces [N], shape (4,), FR FL RR RL; zero on most real robots. Used.");
+            "Foot forces [N], shape (4,), FR FL RR RL; zero on most real robots. Read by\n"
+            "StandController.");
   def_number(state, "tick", &LowState::tick,
-             "Time [ms] modulo 2^32; only differences count. Used.");
+             "Time [ms] modulo 2^32; only differences have a meaning. Read by StandController.");
 
   nb::class_<LowCmd> cmd(
       m, "LowCmd",
-      "Command to the robot, one in every tick: unitree_legged_sdk v3.5 - v3.8 (Go1),\n"
-      "734 bytes, packed.\n\n"
+      "Command to the robot, one for every sample: unitree_legged_sdk v3.5 - v3.8\n"
+      "(Go1), 734 bytes, packed.\n\n"
       "LowCmd() makes the same command as InitCmdData of the SDK: 20 slots with mode\n"
       "0x0A, q = PosStopF, dq = VelStopF, tau = Kp = Kd = 0.");
   def_bytes_access(cmd, init_low_cmd);
   def_header(cmd);
   cmd.def_prop_ro(
       "motorCmd", [](LowCmd& c) -> auto& { return c.motorCmd; }, nb::rv_policy::reference_internal,
-      "20 slots, 12 motors: FR FL RR RL x hip thigh calf. References.");
+      "20 slots; 0 .. 11 are the motors in SDK order. Writing to an element writes to\n"
+      "the struct.");
   cmd.def_prop_ro(
       "bms", [](LowCmd& c) -> BmsCmd& { return c.bms; }, nb::rv_policy::reference_internal,
       "Battery command.");
@@ -208,5 +223,5 @@ void bind_low_level(nb::module_& m) {
         "motor drivers compute the damping, so it continues if the process that sent the\n"
         "command dies. Real-time: yes.\n\n"
         "Args:\n"
-        "    kd: Motor-side damping [N.m.s/rad].");
+        "    kd: Kd of the motor drivers [N.m.s/rad], joint-side.");
 }

@@ -39,9 +39,9 @@ void bind_gains(nb::module_& m) {
   nb::class_<Gains> gains(
       m, "Gains",
       "All parameters that shape how the robot stands.\n\n"
-      "gain_table() has unit, range and meaning of every gain. Gains() has the\n"
-      "library's defaults, RobotConfig.gains those of a robot. Stiffness and damping\n"
-      "are per unit of inertia, so they carry over between robots.");
+      "gain_table() has unit, range and meaning of every gain. Gains() has the defaults\n"
+      "of the library. RobotConfig.gains has the defaults of one robot. Stiffness and\n"
+      "damping are per unit of inertia, so the same values suit different robots.");
   gains.def(nb::init<>());
   for (const GainInfo& info : gain_table()) {
     const auto member = info.member;
@@ -52,8 +52,8 @@ void bind_gains(nb::module_& m) {
   }
   gains.def("validate", &Gains::validate,
             "Raise Error if a gain is not finite or outside its range.\n\n"
-            "Also if contact_force_off is not below contact_force_on. The message names the\n"
-            "first such gain.");
+            "Also raise Error if contact_force_off is not below contact_force_on. The message\n"
+            "names the first invalid gain.");
   gains.def("__copy__", [](const Gains& g) { return Gains(g); });
   gains.def("__eq__", [](const Gains& a, const Gains& b) { return a == b; }, nb::is_operator());
   m.def(
@@ -65,10 +65,11 @@ void bind_gains(nb::module_& m) {
       },
       "Return a GainInfo for every gain, in the order of Gains.");
   m.def("get_gain", &get_gain, "gains"_a, "name"_a,
-        "Return a gain by name; raises Error with the nearest valid names.");
+        "Return a gain by name. Raises Error if the name is unknown; the message lists\n"
+        "the nearest names.");
   m.def("set_gain", &set_gain, "gains"_a, "name"_a, "value"_a,
         "Set a gain by name.\n\n"
-        "Raises Error on an unknown name or a value that is not finite or out of range.");
+        "Raises Error if the name is unknown, or the value is not finite or out of range.");
 }
 
 void bind_config(nb::module_& m) {
@@ -79,13 +80,13 @@ void bind_config(nb::module_& m) {
       "of four in leg order. Numeric arrays are writable numpy views; lists of names\n"
       "are copies.")
       .def(nb::init<>())
-      .def_rw("name", &RobotConfig::name, "One word.")
+      .def_rw("name", &RobotConfig::name, "Name of the robot, one word.")
       .def_rw("joint_names", &RobotConfig::joint_names,
               "Names of the 12 joints in the model, SDK motor order.")
       .def_rw("foot_frames", &RobotConfig::foot_frames,
               "Names of the 4 foot frames in the model, FR FL RR RL.")
       .def_rw("foot_radius", &RobotConfig::foot_radius,
-              "Radius of the foot [m]: a sphere about its frame.")
+              "Radius of the foot [m], a sphere about the origin of the foot frame.")
       .def_rw("p_base_imu", &RobotConfig::p_base_imu,
               "IMU origin in the base frame [m], shape (3,).")
       .def_rw("quat_base_imu", &RobotConfig::quat_base_imu,
@@ -95,23 +96,23 @@ void bind_config(nb::module_& m) {
       .def_rw("q_upper", &RobotConfig::q_upper,
               "Upper position limits [rad], shape (12,): intersection of SDK and URDF limits.")
       .def_rw("hip_inward", &RobotConfig::hip_inward,
-              "Limit of hips that turn legs inward [rad], see motion_range().")
+              "Largest inward angle of every hip [rad], > 0, see motion_range().")
       .def_rw("dq_max", &RobotConfig::dq_max, "Velocity limits [rad/s], shape (12,).")
       .def_rw("tau_max", &RobotConfig::tau_max,
               "Torque limits [N.m] up to corner_speed, shape (12,).")
       .def_rw("corner_speed", &RobotConfig::corner_speed,
-              "Velocity where the torque limit starts to fall [rad/s], shape (12,).")
+              "Velocity at which the torque limit starts to fall [rad/s], shape (12,).")
       .def_rw("no_load_speed", &RobotConfig::no_load_speed,
-              "Velocity where the torque limit reaches zero [rad/s], shape (12,).")
+              "Velocity at which the torque limit reaches zero [rad/s], shape (12,).")
       .def_rw("armature", &RobotConfig::armature,
               "Rotor inertia times squared gear ratio [kg.m^2], shape (12,).")
       .def_rw("q_standing", &RobotConfig::q_standing,
               "Joint angles of the standing pose [rad], shape (12,).")
       .def_rw("friction", &RobotConfig::friction,
-              "Friction coefficient between foot and ground that the controller assumes.")
+              "Friction coefficient that the controller assumes between foot and ground.")
       .def_rw("gains", &RobotConfig::gains, "Default gains of this robot.")
       .def("validate", &RobotConfig::validate,
-           "Raise Error if a field is invalid; the message names it.");
+           "Raise Error if a field is invalid; the message names the field.");
   m.def(
       "motion_range",
       [](const RobotConfig& config, int motor) {
@@ -124,11 +125,11 @@ void bind_config(nb::module_& m) {
       "config"_a, "motor"_a,
       "Compute the range (lower, upper) [rad] within which QP and body reference keep a\n"
       "motor.\n\n"
-      "q_lower .. q_upper, and for a hip no further inward than hip_inward: further\n"
-      "inward the trunk rests on the thigh, a contact that the dynamics do not model.\n"
-      "Arming checks and protections use q_lower and q_upper instead, because an\n"
-      "external force may push a joint there. Raises Error unless motor is 0 .. 11.\n"
-      "Real-time: yes.");
+      "The range is q_lower .. q_upper. For a hip it also ends at hip_inward. Beyond\n"
+      "that angle the trunk rests on the thigh, and the dynamics do not model this\n"
+      "contact. Arming checks and protections use q_lower and q_upper instead, because\n"
+      "an external force may push a hip beyond hip_inward. Raises Error unless motor is\n"
+      "0 .. 11. Real-time: yes.");
   m.def("motor_torque_limit", &motor_torque_limit, "config"_a, "motor"_a, "dq"_a, "sign"_a,
         "Compute the largest torque [N.m] of a motor in the direction of sign at joint\n"
         "velocity dq [rad/s].\n\n"
@@ -145,21 +146,23 @@ void bind_robot(nb::module_& m) {
   bind_config(m);
   nb::class_<Robot>(
       m, "Robot",
-      "Model and configuration of a robot, immutable. Cheap to copy, safe to share.\n\n"
+      "Model and configuration of a robot. Immutable, cheap to copy, and safe to share\n"
+      "between threads.\n\n"
       "q and v follow Pinocchio: q = [p_world_base, quaternion x y z w, joints], v =\n"
       "[linear and angular velocity of the base in base axes, joint velocities]. Joints\n"
       "in q and v are in Pinocchio's order, which differs from SDK motor order: convert\n"
       "with motor_to_q and motor_to_v. Joints are matched to motors by name.")
-      .def_static(
-          "from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
-          "Build from text by pinocchio.Model.saveToString() of the same Pinocchio version.\n\n"
-          "Raises Error if the text cannot be read, or if the configuration is invalid or\n"
-          "does not fit the model.")
+      .def_static("from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
+                  "Build a Robot from the text that pinocchio.Model.saveToString() returned. Both\n"
+                  "need the same Pinocchio version.\n\n"
+                  "Raises Error if the text cannot be read, or if the configuration is invalid or\n"
+                  "does not fit the model.")
       .def_static("load", &Robot::load, "path"_a,
-                  "Read a .robot file by save(); needs no URDF parser and no meshes.\n\n"
+                  "Read a .robot file that save() wrote. No URDF parser or meshes are needed.\n\n"
                   "Raises Error if the file cannot be read, is damaged, or has another version.")
       .def("save", &Robot::save, "path"_a,
-           "Write a .robot file, readable from C++ and Python. Raises Error.")
+           "Write a .robot file, readable from C++ and Python. Raises Error if the file\n"
+           "cannot be written.")
       .def("serialized_model", &Robot::serialized_model,
            "Return the model as text for pinocchio.Model.loadFromString() of the same\n"
            "version.")
@@ -168,8 +171,8 @@ void bind_robot(nb::module_& m) {
           "Configuration, a copy.")
       .def_prop_ro(
           "name", [](const Robot& r) { return r.config().name; }, "Name of the robot.")
-      .def_prop_ro("nq", &Robot::nq, "Size of q; 19 with twelve joints.")
-      .def_prop_ro("nv", &Robot::nv, "Size of v; 18 with twelve joints.")
+      .def_prop_ro("nq", &Robot::nq, "Size of q; 19 for a robot with twelve joints.")
+      .def_prop_ro("nv", &Robot::nv, "Size of v; 18 for a robot with twelve joints.")
       .def_prop_ro("mass", &Robot::mass, "Total mass [kg].")
       .def_prop_ro("motor_to_v", &Robot::motor_to_v, "Index in v of each SDK motor, 12 integers.")
       .def_prop_ro("motor_to_q", &Robot::motor_to_q, "Index in q of each SDK motor, 12 integers.")

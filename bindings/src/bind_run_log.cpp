@@ -21,7 +21,7 @@ nb::capsule owner_of(T* data) {
   return nb::capsule(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
 }
 
-/// Return one number of every tick as an array that owns its data.
+/// Return an array of one number per tick. The array owns its data.
 template <typename T, typename Get>
 Column<T> column(const RunLog& log, Get get) {
   auto* data = new T[log.size()];
@@ -30,7 +30,7 @@ Column<T> column(const RunLog& log, Get get) {
   return Column<T>(data, {log.size()}, owner);
 }
 
-/// Return the bytes of a packed struct of every tick, one row each.
+/// Return the bytes of a packed struct, one row per tick.
 template <typename Struct>
 Bytes bytes(const RunLog& log, Struct RunTick::* member) {
   constexpr std::size_t kWidth = sizeof(Struct);
@@ -46,7 +46,7 @@ Bytes bytes(const RunLog& log, Struct RunTick::* member) {
 
 void bind_run_log(nb::module_& m) {
   nb::class_<RunLog>(m, "RunLog",
-                     "The last ticks of a run of a StandRunner, n = len(log), the oldest first.\n\n"
+                     "Last ticks of a run of a StandRunner, oldest first; n = len(log).\n\n"
                      "Every array is a copy, made when it is read.")
       .def("__len__", &RunLog::size)
       .def_prop_ro(
@@ -60,20 +60,23 @@ void bind_run_log(nb::module_& m) {
           [](const RunLog& log) {
             return column<bool>(log, [](const RunTick& t) { return t.has_new_state; });
           },
-          nb::rv_policy::automatic, "True where the LowState arrived in this tick, shape (n,).")
+          nb::rv_policy::automatic, "Whether a new LowState arrived in this tick, shape (n,).")
       .def_prop_ro(
           "mode",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.mode; });
           },
-          nb::rv_policy::automatic, "Values of Mode of the supervisor after the tick, shape (n,).")
+          nb::rv_policy::automatic,
+          "Mode of the supervisor after the tick, as an integer, shape\n"
+          "(n,).")
       .def_prop_ro(
           "damping_fault",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.damping_fault; });
           },
           nb::rv_policy::automatic,
-          "Values of FaultId: why the supervisor latched damping, shape (n,).")
+          "FaultId for which the supervisor last latched damping, as an integer, shape\n"
+          "(n,).")
       .def_prop_ro(
           "samples", [](const RunLog& log) { return bytes(log, &RunTick::state); },
           nb::rv_policy::automatic,

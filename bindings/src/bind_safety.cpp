@@ -9,8 +9,8 @@ using namespace surefoot;
 namespace {
 
 constexpr const char* kSafety =
-    "The three protections of the SDK, with the names (in snake case), arguments and\n"
-    "defaults of its safety.h.\n\n"
+    "The three protections of the SDK. Names (in snake case), arguments and defaults\n"
+    "are those of its safety.h.\n\n"
     "They run in software and guarantee nothing: a robot is safe only if its\n"
     "controller sends no abnormal torques. Beginners should use all three, with level\n"
     "1. The position limits are those of the robot, RobotConfig.q_lower and q_upper:\n"
@@ -24,17 +24,17 @@ constexpr const char* kPowerProtect =
     "do not send the command if the result is -1. A counter increases by one (up to\n"
     "10) with each call whose P is above the limit, else decreases by one (down to\n"
     "0); the protection trips above 5. So a lasting overload trips on the 6th call,\n"
-    "an overload in every other call never trips, and after an overload at most 4\n"
-    "more calls return -1: the trip is not latched. P equal to the limit does not\n"
-    "count as above it. The rule is that of the vendor's library, with these\n"
-    "differences:\n\n"
+    "and an overload in every other call never trips. The trip is not latched: after\n"
+    "an overload at most 4 more calls return -1. P equal to the limit does not count\n"
+    "as above it. The rule is that of the vendor's library, with these differences:\n\n"
     "- The command stays unchanged, as in the SDK's document. The vendor's library\n"
-    "  writes mode 0x00 (brake) into motors 0 .. 11, and nothing there restores 0x0A.\n"
+    "  writes mode 0x00 (brake) into motors 0 .. 11, and does not restore 0x0A.\n"
     "- A P that is not finite returns -1 in the same call and counts as above the\n"
     "  limit. The vendor's library never trips on NaN.\n"
     "- Nothing is printed, and the process never ends.\n\n"
-    "A level means the same power on every robot. For pushes of the same share of its\n"
-    "push limit, b1 takes 4 to 12 times the power of a go1. Real-time: yes.\n\n"
+    "A level means the same power on every robot. When both are pushed with the same\n"
+    "fraction of their push limits, b1 takes 4 to 12 times the power of go1.\n"
+    "Real-time: yes.\n\n"
     "Args:\n"
     "    cmd: Not read, as in the vendor's library.\n"
     "    state: tauEst [N.m] and dq [rad/s] of motors 0 .. 11.\n"
@@ -46,10 +46,11 @@ constexpr const char* kPositionProtect =
     "Check the measured joint angles: each must be within [q_lower + limit, q_upper -\n"
     "limit].\n\n"
     "There is no debouncing and no latch: each call judges its own sample alone. NaN\n"
-    "is outside. The command stays unchanged; the vendor's library writes mode 0x00\n"
-    "into it. A fully folded calf at rest is outside. A NaN limit, or one as wide as\n"
-    "the joint range, always trips, such as the 10 [rad] in a comment of the vendor's\n"
-    "examples. A negative limit widens the range. Real-time: yes.\n\n"
+    "counts as outside the range. The command stays unchanged; the vendor's library\n"
+    "writes mode 0x00 into the command. Note: a fully folded calf at rest is outside\n"
+    "the range, so a lying robot trips. The check always trips if limit is NaN or\n"
+    "leaves no range, for example the 10 rad in a comment of the vendor's examples. A\n"
+    "negative limit widens the range. Real-time: yes.\n\n"
     "Args:\n"
     "    cmd: Not read.\n"
     "    state: q [rad] of motors 0 .. 11.\n"
@@ -60,10 +61,11 @@ constexpr const char* kPositionProtect =
 constexpr const char* kPositionLimit =
     "Clamp the position commands q [rad] of motors 0 .. 11 to [q_lower, q_upper], in\n"
     "place.\n\n"
-    "|q| >= 1e9 means PosStopF (2.146e9; the vendor's Python examples use 1e9) and\n"
-    "stays unchanged; the vendor's library turns it into the upper joint limit, to\n"
-    "which a motor with Kp > 0 then moves. As in the vendor's library, mode and gains\n"
-    "are ignored, and NaN passes; encoding the frame refuses it. Real-time: yes.\n\n"
+    "A command |q| >= 1e9 counts as PosStopF and is not changed. (PosStopF is\n"
+    "2.146e9; the vendor's Python examples use 1e9.) The vendor's library clamps such\n"
+    "a command instead, so a motor with Kp > 0 moves to its upper limit. As in the\n"
+    "vendor's library, mode and gains are ignored and NaN is not changed; encoding\n"
+    "the frame refuses NaN. Real-time: yes.\n\n"
     "Args:\n"
     "    cmd: Changed in place.";
 
@@ -77,7 +79,7 @@ void bind_safety(nb::module_& m) {
            "limit"_a = Safety::kPositionMargin, kPositionProtect)
       .def("position_limit", &Safety::position_limit, "cmd"_a, kPositionLimit)
       .def_prop_ro("power", &Safety::power,
-                   "P of the last power_protect() [W]; 0 before the first call.")
+                   "Power P in the last call of power_protect() [W]; 0 before the first call.")
       .def_prop_ro("power_counter", &Safety::power_counter,
                    "Counter of power_protect(), 0 .. 10; the protection trips above 5.")
       .def_prop_ro(

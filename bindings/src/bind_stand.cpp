@@ -36,40 +36,43 @@ void bind_body_reference(nb::module_& m) {
       .value("NONE", ReachLimit::kNone,
              "No limit: the reference is at the target or moves towards it.")
       .value("JOINT", ReachLimit::kJoint,
-             "A joint would come closer than gain reach_joint_margin to its motion_range().")
+             "A joint would come closer than the gain reach_joint_margin to an end of its\n"
+             "motion_range().")
       .value("SUPPORT", ReachLimit::kSupport,
-             "The centre of mass would come closer than gain reach_support_margin to an edge.")
+             "The centre of mass would come closer than the gain reach_support_margin to a\n"
+             "support edge.")
       .value("FOOT_HEIGHT", ReachLimit::kFootHeight,
-             "A foot would be less than gain reach_foot_depth below its hip axis.")
-      .value("UNREACHABLE", ReachLimit::kUnreachable, "A leg is too short.")
+             "A foot would be less than the gain reach_foot_depth below its hip axis.")
+      .value("UNREACHABLE", ReachLimit::kUnreachable,
+             "A leg is too short to reach its foot position.")
       .value("NOT_FINITE", ReachLimit::kNotFinite,
-             "The target has a NaN or an infinity: the target before it stays in force.");
-  nb::class_<ReachStatus>(m, "ReachStatus",
-                          "Limit that is in the way, and the motor that it belongs to.")
+             "The target has a NaN or an infinity. The previous target stays in force.");
+  nb::class_<ReachStatus>(m, "ReachStatus", "Limit that stops the body reference, and its motor.")
       .def_ro("limit", &ReachStatus::limit, "The limit.")
       .def_ro("motor", &ReachStatus::motor,
-              "SDK number: JOINT the joint, FOOT_HEIGHT the hip of the leg; else -1.");
+              "SDK number of the joint (limit JOINT) or of the hip of the leg (FOOT_HEIGHT); -1\n"
+              "for all other limits.");
 }
 
 void bind_fallback_level(nb::module_& m) {
   nb::enum_<FallbackLevel>(
       m, "FallbackLevel",
-      "Where a command comes from, the best first.\n\n"
-      "A tick tries the levels in this order, the fallback chain, until one gives a\n"
-      "command.")
+      "Where a command comes from, the best source first.\n\n"
+      "The levels in this order are the fallback chain. A tick tries them until one\n"
+      "gives a command.")
       .value("SOLVED", FallbackLevel::kSolved,
              "The whole-body QP, started from the active set of the last tick.")
       .value("COLD_SOLVE", FallbackLevel::kColdSolve,
-             "The same QP once more, by a cold start and to ten times the tolerance.")
+             "The same QP again, from a cold start and with a tolerance ten times larger.")
       .value("FORCES", FallbackLevel::kForces,
-             "No QP: the forces of the last solution, plus the change of the desired wrench\n"
-             "since then, shared among the feet.")
+             "No QP: the forces of the last solution. The change of the desired wrench since\n"
+             "then is shared among the feet and added.")
       .value("LAST_FORCES", FallbackLevel::kLastForces,
-             "The forces of the last solution, through the present Jacobians.")
+             "Torques from the forces of the last solution and the present Jacobians.")
       .value("GRAVITY", FallbackLevel::kGravity,
              "Forces that carry the weight, shared among the feet, and joint damping.")
       .value("HOLD", FallbackLevel::kHold,
-             "The last command once more: the present sample is unusable.")
+             "The last command again, because the present sample is unusable.")
       .value("DAMPING", FallbackLevel::kDamping, "The motors brake by themselves.");
 }
 
@@ -84,12 +87,12 @@ void bind_controller(nb::module_& m) {
           "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = QpForm::kAuto,
           "power_limit"_a = StandOptions().power_limit)
       .def_rw("motor_damping", &StandOptions::motor_damping,
-              "Motor-side damping in every command, with dq = 0 [N.m.s/rad], 0 .. 50.\n\n"
-              "0 is pure torque mode. Hardware whose knees vibrate in pure torque mode may need\n"
-              "some.")
+              "Kd of every command, with dq = 0; [N.m.s/rad], joint-side, 0 .. 50.\n\n"
+              "0 is pure torque mode. Robots whose knees vibrate in pure torque mode may need a\n"
+              "value above 0.")
       .def_rw("delay", &StandOptions::delay,
-              "Time from a measurement to the action of the command computed from it [s], 0 ..\n"
-              "0.05; identify_delay() measures it.\n\n"
+              "Time from a measurement to the moment when the command computed from it acts\n"
+              "[s], 0 .. 0.05; identify_delay() measures this time.\n\n"
               "The state is predicted over this time with the commands already sent. Prediction\n"
               "amplifies sensor noise, so leave it at 0 for delays of up to a few ticks. In\n"
               "simulation no robot stood with more than 0.03. At 0 nothing is predicted, and\n"
@@ -99,17 +102,18 @@ void bind_controller(nb::module_& m) {
       .def_rw("form", &StandOptions::form, "Form of the whole-body QP.")
       .def_rw("power_limit", &StandOptions::power_limit,
               "Largest power of a command [W], sum |tau dq| with the motors' damping included,\n"
-              "at the joint velocities it is computed for; > 0, infinite switches the limit\n"
-              "off.\n\n"
+              "at the joint velocities for which the command is computed. Must be > 0; inf\n"
+              "switches the limit off.\n\n"
               "Above the limit, the torques are scaled towards those that hold the robot\n"
               "against gravity. If these alone exceed the limit, the command is not scaled,\n"
-              "because a robot that is released falls and takes even more power. Last, the\n"
-              "torques of runaway legs are limited: the power of a leg may rise by at most a\n"
-              "quarter of the limit within the next 15 ms, extrapolated from the acceleration\n"
-              "of its joints. With periods of 10 ms and more, runaway legs are not detected.\n\n"
+              "because a robot with too little torque falls, and its motors then take even more\n"
+              "power. Finally, the torques of runaway legs are limited: the power of a leg may\n"
+              "rise by at most a quarter of the limit within the next 15 ms, extrapolated from\n"
+              "the acceleration of its joints. With periods of 10 ms and more, runaway legs are\n"
+              "not detected.\n\n"
               "Set the limit below that of Safety.power_protect(), at 0.9 of it for example,\n"
-              "but not far below what the motions take: a robot that lacks power for long\n"
-              "falls.");
+              "but not far below the power that the motions take. A robot that lacks power for\n"
+              "long falls.");
   nb::class_<StandController>(
       m, "StandController",
       "Controller that holds the body at the latched pose, or moves it to a\n"
@@ -119,11 +123,11 @@ void bind_controller(nb::module_& m) {
       "are in torque mode: motors 0 .. 11 have mode 0x0A, q = PosStopF, dq = VelStopF,\n"
       "Kp = Kd = 0 and the torques of the QP.\n\n"
       "If the solve fails, the tick goes down the fallback chain, see FallbackLevel. If\n"
-      "the sample is unusable, the last command is repeated. Kd > 0 occurs only by\n"
-      "StandOptions.motor_damping, in a lost leg, and at the levels GRAVITY and\n"
-      "DAMPING. At most 10 ms may pass without a solved command; then the motors damp\n"
-      "(dq = 0, Kd > 0, tau = 0), latched until reset(). All times are measured by\n"
-      "LowState.tick.\n\n"
+      "the sample is unusable, the last command is repeated. Kd is above 0 in three\n"
+      "cases: StandOptions.motor_damping is above 0, the motor belongs to a lost leg,\n"
+      "or the level is GRAVITY or DAMPING. At most 10 ms may pass without a solved\n"
+      "command; then the motors damp (dq = 0, Kd > 0, tau = 0). This damping is latched\n"
+      "until reset(). All times are measured with LowState.tick.\n\n"
       "Assumes twelve joints on a free base, spherical feet, and one ground plane under\n"
       "all feet, whose normal is estimated. Not thread-safe.")
       .def(
@@ -136,8 +140,8 @@ void bind_controller(nb::module_& m) {
           "Create a controller.\n\n"
           "Args:\n"
           "    robot: Model and configuration, twelve joints on a free base.\n"
-          "    gains: None: those of robot.config.\n"
-          "    options: Fixed at construction.\n\n"
+          "    gains: Gains to use; None: robot.config.gains.\n"
+          "    options: Options, fixed at construction.\n\n"
           "Raises:\n"
           "    Error: The robot does not have twelve joints on a free base, or a gain or an\n"
           "        option is invalid.")
@@ -149,19 +153,20 @@ void bind_controller(nb::module_& m) {
             return command;
           },
           "low_state"_a,
-          "Compute one tick. Raises only what a Python task raised.\n\n"
+          "Compute one tick. An exception of a Python task is raised after the tick; no\n"
+          "other is raised.\n\n"
           "Real-time: yes, if the custom tasks are.\n\n"
           "Args:\n"
           "    low_state: Newest sample; its tick must advance.\n\n"
           "Returns:\n"
-          "    The command to send, a copy; status and fallback_level tell its quality.")
+          "    The command to send, a copy. status and fallback_level report its quality.")
       .def("set_body_reference", &StandController::set_body_reference, "target"_a,
            "Set the target pose of the body.\n\n"
            "The reference moves there with limited speed and acceleration, and stops at the\n"
            "limits of ReachLimit. A target with a NaN or an infinity is ignored, and reach\n"
            "reports NOT_FINITE. Real-time: yes.")
       .def_prop_ro("body_reference", &StandController::body_reference,
-                   "Present body reference, on the way to the target.")
+                   "Present body reference, which moves towards the target.")
       .def_prop_ro("reach", &StandController::reach,
                    "Limit that stops the body reference before its target.")
       .def("give_up_leg", &StandController::give_up_leg, "leg"_a,
@@ -172,20 +177,19 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro("lost_leg", &StandController::lost_leg, "The leg that was given up, or -1.")
       .def("capture_margin_without", &StandController::capture_margin_without, "leg"_a,
            "Compute the distance [m] from the capture point to the nearest edge of the\n"
-           "support triangle that remains without leg.\n\n"
-           "By the newest estimate. Negative: outside the triangle. Infinite: another leg is\n"
-           "already lost. NaN: leg is not 0 .. 3, or no pose is latched yet. Real-time: yes.")
+           "support triangle that remains without `leg`.\n\n"
+           "The newest state estimate is used. Negative: outside the triangle. +inf: another\n"
+           "leg is already lost. NaN: leg is not 0 .. 3, or no pose is latched yet.\n"
+           "Real-time: yes.")
       .def("add_task", &StandController::add_task, "task"_a,
            "Add a custom task, in force from the next tick on.\n\n"
            "Raises Error if task is None or its rows() is not 1 .. 1000. Real-time: no.")
-      .def_prop_ro(
-          "status", &StandController::status,
-          "Status of the last tick: OK, SATURATED, or why the QP gave no command; DAMPING\n"
-          "while latched.")
-      .def_prop_ro(
-          "fault", &StandController::fault,
-          "Status of the last tick that was not usable; kept while damping is latched, OK\n"
-          "after reset().")
+      .def_prop_ro("status", &StandController::status,
+                   "Status of the last tick: OK, SATURATED, or the reason why the QP gave no\n"
+                   "command; DAMPING while damping is latched.")
+      .def_prop_ro("fault", &StandController::fault,
+                   "Status of the last tick that gave no usable command; kept while damping is\n"
+                   "latched, OK after reset().")
       .def_prop_ro("fallback_level", &StandController::fallback_level,
                    "Fallback level of the last command; DAMPING before the first tick.")
       .def("fallback_count", &StandController::fallback_count, "fallback_level"_a,
@@ -193,8 +197,9 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro(
           "state", [](const StandController& c) { return RobotState(c.state()); },
           "Estimated state, a copy.\n\n"
-          "Its friction is the share that the QP may use: 0.7 at most while the capture\n"
-          "point is more than 6 cm inside the support edges, and less while a foot slips.")
+          "Field friction is the share of RobotConfig.friction that the QP may use. The\n"
+          "share is at most 0.7 while the capture point is more than 6 cm inside the\n"
+          "support edges, else at most 1. It is lower for a foot that slips.")
       .def_prop_ro(
           "reference", [](const StandController& c) { return Reference(c.reference()); },
           "Reference of the last good tick, a copy.")
@@ -209,7 +214,8 @@ void bind_controller(nb::module_& m) {
           [](const StandController& c) { return EstimatorReport(c.estimator_report()); },
           "Uncertainty of the state and verdicts on the sensors, a copy.")
       .def_prop_ro("normal_forces_from_torques", &StandController::normal_forces_from_torques,
-                   "Normal force on each foot by the joint torques [N], FR FL RR RL, shape (4,).")
+                   "Normal force on each foot [N], computed from the joint torques, FR FL RR RL,\n"
+                   "shape (4,).")
       .def_prop_ro("has_foot_force_est", &StandController::has_foot_force_est,
                    "True if footForceEst works on this robot: its sum has matched the load on the\n"
                    "feet.")
@@ -217,9 +223,9 @@ void bind_controller(nb::module_& m) {
           "command_power", &StandController::command_power,
           "Power sum |tau dq| [W] of the last command that was computed from a sample, with\n"
           "the motors' damping included.\n\n"
-          "At the joint velocities it was computed for: reported, or predicted over\n"
-          "StandOptions.delay. It exceeds StandOptions.power_limit only if the torques that\n"
-          "hold the robot exceed it.")
+          "The joint velocities are those for which the command was computed: measured, or\n"
+          "predicted over StandOptions.delay. The power exceeds StandOptions.power_limit\n"
+          "only if the torques that hold the robot exceed this limit.")
       .def_prop_ro(
           "power_scale", &StandController::power_scale,
           "Scale s, 0 .. 1, by which power_limit reduced the torques of the last good tick.\n\n"
@@ -228,16 +234,17 @@ void bind_controller(nb::module_& m) {
           "status is SATURATED and s is 1.")
       .def_prop_ro(
           "gains", [](const StandController& c) { return Gains(c.gains()); },
-          "Requested gains, a copy; see set_gains().")
+          "Gains last set, a copy; see set_gains().")
       .def_prop_ro(
           "active_gains", [](const StandController& c) { return Gains(c.active_gains()); },
-          "Gains in force, which move to gains; a copy.")
+          "Gains that the last tick used, a copy. After set_gains() they approach `gains`\n"
+          "within 0.1 s.")
       .def("set_gains", &StandController::set_gains, "gains"_a,
            "Set the gains, between ticks.\n\n"
-           "While the controller is active, the gains in force move to the new ones within\n"
-           "0.1 s of good ticks, so that torques do not jump. Before the first good sample\n"
-           "and while damping is latched, they change at once. Raises Error and changes\n"
-           "nothing if a gain is invalid. Real-time: no.")
+           "While the controller is active, active_gains approach the new gains within 0.1\n"
+           "s, counted over good ticks only, so that torques do not jump. Before the first\n"
+           "good sample and while damping is latched, they change at once. Raises Error and\n"
+           "changes nothing if a gain is invalid. Real-time: no.")
       .def("reset", &StandController::reset,
            "Leave damping, clear the body reference and the lost leg, and latch the pose\n"
            "again with the next good samples.\n\n"

@@ -23,26 +23,34 @@ std::string to_upper(std::string name) {
 void bind_enums(nb::module_& m) {
   nb::enum_<Mode>(m, "Mode", "State of a supervised robot.")
       .value("PASSIVE", Mode::kPassive,
-             "The motors damp; the first mode, and the one after sitting down.")
+             "The motors damp. This is the first mode, and the mode after sitting down.")
       .value("RISE", Mode::kRise, "The robot rises from lying to standing.")
       .value("STAND", Mode::kStand, "The StandController is in control.")
-      .value("SIT", Mode::kSit, "The robot sits down; also the way to abort a rise.")
-      .value("DAMPING", Mode::kDamping, "The motors damp, latched: only arm() leaves this mode.");
+      .value("SIT", Mode::kSit, "The robot sits down. Request this mode also to abort a rise.")
+      .value("DAMPING", Mode::kDamping,
+             "The motors damp until arm(), which is the only way to\n"
+             "leave this mode.");
   nb::enum_<RiseStage>(m, "RiseStage",
                        "Stage of a rise. In all stages but UP the body lies on the ground.")
       .value("HOLD_LEGS", RiseStage::kHoldLegs, "The legs hold their own weight where they are.")
       .value("FOLD", RiseStage::kFold, "The legs fold beside the body.")
       .value("WEIGH", RiseStage::kWeigh,
-             "The hips turn outward: their torques must fit the weight of the legs.")
+             "The hips turn outward. This is a check: hip torques that do not match the weight\n"
+             "of the legs are the fault wiring or wrong_robot.")
       .value("PRESS", RiseStage::kPress,
-             "The rear legs press on the ground: the nose must go down.")
+             "The rear legs press on the ground. This is a check: if the front of the trunk\n"
+             "does not go down, the fault is wiring.")
       .value("UP", RiseStage::kUp,
-             "From folded legs over a crouch to the standing pose, or back down.");
+             "The legs move from the folded pose through a crouch to the standing pose, or\n"
+             "back.");
   nb::enum_<Start>(m, "Start", "State of the robot when the supervisor takes it over.")
-      .value("LYING", Start::kLying, "The motors damp: arming checks, arm(), then a rise.")
+      .value("LYING", Start::kLying,
+             "The robot lies and its motors damp. It must pass the\n"
+             "arming checks, then arm() must be called, then the robot\n"
+             "may rise.")
       .value("STANDING", Start::kStanding,
-             "The robot already stands under another controller and would sink during any\n"
-             "pause.\n\n"
+             "The robot already stands under another controller, and would sink if torques\n"
+             "paused.\n\n"
              "The supervisor takes it over with the first valid LowState, without arming\n"
              "checks. After latched damping, arm() takes over the pose in which it finds the\n"
              "robot, again without checks.");
@@ -51,13 +59,15 @@ void bind_enums(nb::module_& m) {
       "Answer to a request. For any status but ACCEPTED the request has no effect.")
       .value("ACCEPTED", RequestStatus::kAccepted, "The next update() handles the request.")
       .value("NO_STATE", RequestStatus::kNoState,
-             "No valid LowState arrives, or none has arrived yet.")
+             "No valid LowState has arrived, or they no longer arrive.")
       .value("NOT_ARMED", RequestStatus::kNotArmed, "The robot is not armed: call arm() first.")
       .value("NOT_READY", RequestStatus::kNotReady,
-             "An arming check fails or passed too briefly, see arming; or a fault is active.")
+             "An arming check fails, or has not passed for arming_time yet (see arming), or a\n"
+             "fault keeps the robot down.")
       .value("LATCHED", RequestStatus::kLatched, "Damping is latched: call arm() first.")
       .value("OUT_OF_ORDER", RequestStatus::kOutOfOrder,
-             "Not possible from this mode: RISE from PASSIVE, SIT from RISE and STAND, ...")
+             "The present mode does not allow this request. Allowed: RISE from PASSIVE; SIT\n"
+             "from RISE or STAND; STAND from SIT.")
       .value("BUSY", RequestStatus::kBusy,
              "Another request or a stop is pending, or torques fade between two modes.");
 }
@@ -66,23 +76,24 @@ void bind_faults(nb::module_& m) {
   nb::enum_<FaultReaction>(m, "FaultReaction", "What the supervisor does about a fault.")
       .value("NONE", FaultReaction::kNone, "Nothing: there is no fault.")
       .value("WATCH", FaultReaction::kWatch,
-             "The fault is reported and counted; the robot goes on.")
+             "The fault is reported and counted; the robot continues.")
       .value("DEGRADE", FaultReaction::kDegrade,
-             "The robot goes on with the sensors, contacts or legs that are left.")
+             "The robot continues with the remaining sensors, contacts or legs.")
       .value("SIT", FaultReaction::kSit,
              "The robot sits down and does not rise while the fault lasts.\n\n"
-             "Where only a standing robot can detect the fault, it does not rise before arm().")
-      .value("DAMP", FaultReaction::kDamp, "The motors brake, latched until arm().");
+             "If only a standing robot can detect the fault, the robot does not rise again\n"
+             "until arm() is called.")
+      .value("DAMP", FaultReaction::kDamp, "The motors damp until arm().");
   nb::enum_<FaultId> id(
       m, "FaultId",
       "Faults of a supervised robot and of the link to it; fault_table() explains them.");
-  id.value("NONE", FaultId::kNone, "Nothing.");
+  id.value("NONE", FaultId::kNone, "No fault.");
   for (const FaultInfo& info : fault_table()) {
     id.value(to_upper(to_string(info.id)).c_str(), info.id, std::string(info.meaning).c_str());
   }
   nb::class_<FaultInfo>(m, "FaultInfo",
-                        "One row of fault_table(): id is the FaultId, name its text, reaction the\n"
-                        "FaultReaction.")
+                        "One row of fault_table(). id is the FaultId, name is its text, reaction\n"
+                        "is the FaultReaction.")
       .def_ro("id", &FaultInfo::id)
       .def_ro("reaction", &FaultInfo::reaction)
       .def_ro("detection_time", &FaultInfo::detection_time,
@@ -90,10 +101,10 @@ void bind_faults(nb::module_& m) {
       .def_prop_ro("name", [](const FaultInfo& info) { return std::string(to_string(info.id)); })
       .def_prop_ro(
           "cleared_by", [](const FaultInfo& info) { return std::string(info.cleared_by); },
-          "What ends the reaction once the fault is gone.")
+          "What ends the reaction after the fault has ended.")
       .def_prop_ro(
           "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
-          "How the fault is detected and what is done, in a sentence.");
+          "How the fault is detected and how the supervisor reacts, a sentence.");
   m.def(
       "fault_table",
       [] { return std::vector<FaultInfo>(fault_table().begin(), fault_table().end()); },
@@ -112,7 +123,7 @@ void bind_faults(nb::module_& m) {
       .def(
           "count",
           [](const FaultReport& report, FaultId id) { return report.count[static_cast<int>(id)]; },
-          "id"_a, "Return how often a fault has begun.")
+          "id"_a, "Return the number of times that a fault has begun.")
       .def(
           "motor",
           [](const FaultReport& report, FaultId id) { return report.motor[static_cast<int>(id)]; },
@@ -124,7 +135,7 @@ void bind_arming(nb::module_& m) {
   nb::class_<ArmingCheck>(m, "ArmingCheck",
                           "Result of one arming check; passed is true if it passed.")
       .def_ro("applies", &ArmingCheck::applies,
-              "False: the check does not apply now, and counts as passed.")
+              "False if the check does not apply now; it then counts as passed.")
       .def_ro("passed", &ArmingCheck::passed)
       .def_ro("value", &ArmingCheck::value,
               "Worst value found; ArmingReport.failures() gives its unit.")
@@ -132,7 +143,8 @@ void bind_arming(nb::module_& m) {
               "Limit that the value is compared with, in the same unit.")
       .def_ro("motor", &ArmingCheck::motor, "SDK number of the motor with the worst value, or -1.")
       .def_ro("swapped_with", &ArmingCheck::swapped_with,
-              "SDK number of the motor that motor seems swapped with, or -1.");
+              "SDK number of the second motor if the motor in `motor` seems swapped with\n"
+              "another; else -1.");
   nb::class_<ArmingReport>(m, "ArmingReport", "Results of all arming checks of one tick.")
       .def_ro("passed_for", &ArmingReport::passed_for,
               "Time for which all checks have passed without interruption [s].")
@@ -148,21 +160,21 @@ void bind_arming(nb::module_& m) {
             return checks;
           },
           "ArmingCheck by name:\n\n"
-          "- link: LowStates arrive, the newest is new, and less than 1 % of them is\n"
+          "- link: LowStates arrive, this tick has a new one, and fewer than 1 % are\n"
           "  missing\n"
           "- motor_mode: all twelve motors report servo mode\n"
           "- temperature: all twelve motors are below SupervisorOptions.temperature_warning\n"
           "- quaternion: the IMU quaternion has unit length\n"
           "- gyroscope: the body does not rotate\n"
           "- accelerometer: the specific force has the magnitude of gravity\n"
-          "- attitude: quaternion and accelerometer agree about the vertical; not about\n"
-          "  heading\n"
+          "- attitude: quaternion and accelerometer agree about the vertical (heading is\n"
+          "  not checked)\n"
           "- tilt: the body is nearly level\n"
-          "- joints: all joints are within their limits and SupervisorOptions.joint_margin\n"
+          "- joints: all joints keep SupervisorOptions.joint_margin from their limits\n"
           "- motor_order: every joint angle fits the range of its own motor\n"
-          "- foot_force: footForceEst adds up to the weight; applies to a standing robot\n"
-          "  only\n"
-          "- program: the torques that hold the robot on its way up are below their limits\n"
+          "- foot_force: the sum of footForceEst is the weight; applies only to a standing\n"
+          "  robot with footForceEst\n"
+          "- program: the torques that hold the robot during a rise are below their limits\n"
           "- fault: no active fault keeps the robot down")
       .def(
           "failures",
@@ -202,50 +214,53 @@ void bind_supervisor_class(nb::module_& m) {
           "start"_a = Start::kLying, "remote"_a = true)
       .def_rw("power_level", &SupervisorOptions::power_level,
               "Level of Safety.power_protect(), 1 .. 10, which trips at 100 W times the level.\n\n"
-              "Rising and sitting down are planned for half of it; while standing,\n"
-              "stand.power_limit is at most 0.9 of it. 0 switches the protection and this power\n"
-              "limit off; motions are then planned for level 1.")
+              "Rises and descents are planned for half of this power. While the robot stands,\n"
+              "stand.power_limit is reduced to 0.9 of this power if it is larger. 0 switches\n"
+              "off the protection and this reduction; rises and descents are then planned for\n"
+              "level 1.")
       .def_rw("arming_time", &SupervisorOptions::arming_time,
               "Time for which all arming checks must have passed [s].")
       .def_rw("temperature_warning", &SupervisorOptions::temperature_warning,
-              "Motor temperature where torque limits start to fall [deg C].")
+              "Motor temperature from which torque limits are reduced [deg C].")
       .def_rw("temperature_stop", &SupervisorOptions::temperature_stop,
-              "Motor temperature where torque limits are halved and the robot sits down [deg\n"
-              "C].")
+              "Motor temperature from which torque limits are halved and the robot sits down\n"
+              "[deg C].")
       .def_rw("battery_low", &SupervisorOptions::battery_low,
-              "Charge below which the robot sits down [%].")
+              "Battery charge below which the robot sits down [%].")
       .def_rw("payload_limit", &SupervisorOptions::payload_limit,
               "Payload above which the robot sits down [kg]; inf: no limit.")
       .def_rw("operator_timeout", &SupervisorOptions::operator_timeout,
-              "Time without heartbeat() after which the robot sits down [s]; inf needs no\n"
-              "operator.")
+              "Time without heartbeat() after which the robot sits down [s]; inf: no operator\n"
+              "is needed.")
       .def_rw("joint_margin", &SupervisorOptions::joint_margin,
               "Distance that joints must keep from their limits [rad], for arming and for the\n"
               "fault joint_stop.\n\n"
-              "Negative: how far beyond the limits they may be. A fully folded calf rests on\n"
-              "its stop, beyond the limits.")
+              "Negative: distance by which joints may exceed their limits. A fully folded calf\n"
+              "rests on its stop, beyond the limits.")
       .def_rw("stand", &SupervisorOptions::stand, "Options of the StandController.")
       .def_rw("start", &SupervisorOptions::start)
       .def_rw("remote", &SupervisorOptions::remote,
-              "True: button B on the remote stops the robot.");
+              "True if button B on the remote stops the robot.");
   nb::class_<Supervisor>(
       m, "Supervisor",
       "Controller that takes a robot from lying to standing and back: LowState in,\n"
       "LowCmd out.\n\n"
-      "It checks the robot before it arms, refuses requests that do not fit, detects\n"
-      "faults, and stops on request. mode is the present Mode, armed is true if the\n"
-      "robot is armed.\n\n"
+      "The supervisor checks the robot before arming, refuses requests that the present\n"
+      "mode does not allow, detects faults, and stops on request. mode is the present\n"
+      "Mode; armed is true if the robot is armed.\n\n"
       "Rising. First the legs fold from any pose, feet beside the body and knees up.\n"
-      "Then they move over a crouch to the standing pose. All legs move alike, so the\n"
-      "feet stay in place while the body comes over them and up. A leg that is blocked\n"
-      "backs out and tries again, up to eight times. If the body rolls over its legs,\n"
-      "they are released, at most twice. A robot that already crouches or stands, with\n"
-      "all joints within 0.35 rad of this path, rises from there without folding.\n"
-      "Before the body leaves the ground, the folded legs are weighed and the rear legs\n"
-      "press on the ground, which detects the faults wiring and wrong_robot. The speed\n"
-      "is limited so that the torques that hold the robot take half of the power level.\n"
-      "Sitting down follows the same path backwards.\n\n"
-      "Torques fade between modes within 0.25 s; damping after a stop or a fault comes\n"
+      "Then the legs move through a crouch to the standing pose. All legs follow the\n"
+      "same joint path. So the feet stay in place, and the body moves above the feet\n"
+      "and then up. A leg that is blocked backs out and tries again, up to eight times.\n"
+      "If the body rolls over its legs, the legs follow their joints without stiffness\n"
+      "for 1 s and then fold again; this happens at most twice. A robot that already\n"
+      "crouches or stands, with all joints within 0.35 rad of this path, rises from\n"
+      "there without folding. Before the body leaves the ground, the folded legs are\n"
+      "weighed and the rear legs press on the ground. These two checks detect the\n"
+      "faults wiring and wrong_robot. The speed is limited: the holding torques may\n"
+      "take at most half of the power of power_level. Sitting down follows the same\n"
+      "path backwards.\n\n"
+      "Torques fade between modes within 0.25 s; damping after a stop or a fault starts\n"
       "at once. fault_table() lists the faults and the reactions to them.\n\n"
       "Threads: update(), update_without_state(), report_link_lost(), count_samples(),\n"
       "set_gains(), set_body_reference(), stand_controller, command_is_fresh and\n"
@@ -261,8 +276,8 @@ void bind_supervisor_class(nb::module_& m) {
           "Create a supervisor.\n\n"
           "Args:\n"
           "    robot: Model and configuration, twelve joints on a free base.\n"
-          "    gains: None: those of robot.config.\n"
-          "    options: Fixed at construction.\n\n"
+          "    gains: Gains to use; None: robot.config.gains.\n"
+          "    options: Options, fixed at construction.\n\n"
           "Raises:\n"
           "    Error: The robot does not have twelve joints on a free base, or a gain or an\n"
           "        option is invalid.")
@@ -278,33 +293,34 @@ void bind_supervisor_class(nb::module_& m) {
           "update_without_state",
           [](Supervisor& s, double age) { return LowCmd(s.update_without_state(age)); }, "age"_a,
           "Compute the command of a period without a new LowState.\n\n"
-          "The last command while it is at most 10 ms old, then damping. After 20 ms\n"
-          "requests are refused until update() is called again. Nothing latches except on\n"
-          "stop(): call report_link_lost() once the robot has been silent for too long\n"
-          "(surefoot run: 20 ms). Real-time: yes.\n\n"
+          "Returns the last command while it is at most 10 ms old, and damping after that.\n"
+          "After 20 ms requests are refused until update() is called again. This function\n"
+          "latches damping only after stop(). To latch damping after a long gap (surefoot\n"
+          "run: 20 ms), call report_link_lost(). Real-time: yes.\n\n"
           "Args:\n"
-          "    age: Age of the newest LowState [s], measured by the caller; negative or\n"
-          "        NaN: too old.\n\n"
+          "    age: Age of the newest LowState [s], measured by the caller. Negative and\n"
+          "        NaN count as too old.\n\n"
           "Returns:\n"
           "    The command to send, a copy.")
       .def("report_link_lost", &Supervisor::report_link_lost,
            "Report that no LowState arrived for too long, or that the robot restarted.\n\n"
-           "If the robot is armed, damping latches with the fault link. Pending requests are\n"
-           "dropped. Real-time: yes.")
+           "If the robot is armed, damping is latched, with the fault \"link\". Pending\n"
+           "requests are dropped. Real-time: yes.")
       .def("count_samples", &Supervisor::count_samples, "received"_a, "missing"_a,
            "Report how many LowStates the link received and missed since the last call.\n\n"
-           "For the arming check link. The link receives more samples than update()\n"
-           "processes, and its count replaces the count of update(). The caller must then\n"
-           "judge gaps itself and call report_link_lost(). Real-time: yes.\n\n"
+           "The arming check \"link\" uses these counts. They replace the counts of\n"
+           "update(), because the link receives more samples than update() processes. The\n"
+           "caller must then judge gaps itself and call report_link_lost(). Real-time: yes.\n\n"
            "Args:\n"
-           "    received: Number of LowStates.\n"
-           "    missing: Number of LowStates; negative if some arrived late after all.")
+           "    received: Number of LowStates that arrived.\n"
+           "    missing: Number of LowStates that did not arrive; negative if LowStates\n"
+           "        counted as missing arrived later.")
       .def("request", &Supervisor::request, "mode"_a,
            "Request a mode; any thread. Real-time: yes.\n\n"
-           "RISE from PASSIVE; SIT from RISE and STAND; STAND from SIT, to rise again.\n"
-           "Returns the RequestStatus.")
+           "Allowed requests: RISE from PASSIVE; SIT from RISE or STAND; STAND from SIT, to\n"
+           "stand up again. Returns the RequestStatus.")
       .def("arm", &Supervisor::arm,
-           "Arm the robot: allow requests, and leave latched damping for PASSIVE.\n\n"
+           "Arm the robot: allow requests, and change from latched damping to PASSIVE.\n\n"
            "A lost leg is used again. Any thread. Real-time: yes. Returns the RequestStatus.")
       .def("stop", &Supervisor::stop,
            "Damp at once and latch, in any mode. Any thread, also repeatedly. Real-time:\n"
@@ -315,38 +331,38 @@ void bind_supervisor_class(nb::module_& m) {
       .def_prop_ro("mode", &Supervisor::mode)
       .def_prop_ro("armed", &Supervisor::armed)
       .def_prop_ro("damping_fault", &Supervisor::damping_fault,
-                   "Why damping last latched; NONE after arm().")
+                   "FaultId for which damping was last latched; NONE after arm().")
       .def_prop_ro("faults", &Supervisor::faults,
                    "Consistent copy of the active and past faults of the last tick.")
       .def_prop_ro("arming", &Supervisor::arming,
                    "Consistent copy of the arming checks of the last tick.")
       .def_prop_ro("rise_progress", &Supervisor::rise_progress,
-                   "Commanded position on the path from lying (0) to standing (1).\n\n"
-                   "0 before the body rises and in PASSIVE and DAMPING.")
+                   "Reference position on the path from lying (0) to standing (1).\n\n"
+                   "0 before the body rises, and in PASSIVE and DAMPING.")
       .def_prop_ro("rise_time", &Supervisor::rise_time,
                    "Planned time from folded legs to standing [s].")
       .def_prop_ro("fading", &Supervisor::fading,
                    "True while torques fade from one mode to the next.")
-      .def_prop_ro(
-          "rise_failed", &Supervisor::rise_failed,
-          "True if the last rise gave up: a leg could not fold, or the body did not follow.")
+      .def_prop_ro("rise_failed", &Supervisor::rise_failed,
+                   "True if the last rise was given up: a leg could not fold, or the body did not\n"
+                   "follow.")
       .def_prop_ro("rise_stage", &Supervisor::rise_stage,
                    "Stage of the present rise, or of the last one.")
       .def_prop_ro("command_is_fresh", &Supervisor::command_is_fresh,
                    "True if the last command was computed from the newest LowState.")
       .def_prop_ro("measured_power", &Supervisor::measured_power,
-                   "Power that the power protection last judged [W].\n\n"
-                   "0 while it is off or no torques are applied.")
+                   "Motor power in the last sample that the power protection judged [W].\n\n"
+                   "0 while the protection is off or no torques are applied.")
       .def("set_gains", &Supervisor::set_gains, "gains"_a,
            "Set the gains, see StandController.set_gains().\n\n"
-           "fold_wait takes effect when the legs next begin to fold. Raises Error and\n"
-           "changes nothing if a gain is invalid. Real-time: no.")
+           "The gain fold_wait takes effect at the next folding. Raises Error and changes\n"
+           "nothing if a gain is invalid. Real-time: no.")
       .def("set_body_reference", &Supervisor::set_body_reference, "target"_a,
            "Set the target pose of the body while standing, see\n"
            "StandController.set_body_reference().")
       .def_prop_ro("stand_controller", &Supervisor::stand_controller,
                    nb::rv_policy::reference_internal,
-                   "The StandController, a reference for reading only.");
+                   "The StandController, not a copy; only for reading.");
 }
 
 }  // namespace

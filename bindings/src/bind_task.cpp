@@ -58,26 +58,30 @@ void bind_task(nb::module_& m) {
   nb::class_<TaskRows>(
       m, "TaskRows",
       "Rows of a custom task. The arrays are views: write into them, A_a[:] = ...\n\n"
-      "The QP minimises, beside its own tasks, over generalised accelerations a and\n"
-      "contact forces f:\n\n"
+      "The QP adds this cost to its own tasks; a are the generalised accelerations, f\n"
+      "the contact forces:\n\n"
       "    1/2 sum_i weight_i (A_a a + A_f f - b)_i^2\n\n"
       "For scale: with gain weight_com_vertical = 1, an error of g/2 in the\n"
-      "acceleration of the centre of mass costs 1/2. Rows that outweigh the QP's own\n"
-      "tasks by more than 1e5 end the tick with BAD_TASK.")
+      "acceleration of the centre of mass costs 1/2. Rows whose cost is more than 1e5\n"
+      "times that of the QP's own tasks end the tick with BAD_TASK.")
       .def_prop_ro(
           "A_a", [](TaskRows& r) -> Eigen::Ref<Eigen::MatrixXd> { return r.A_a; },
           nb::rv_policy::reference_internal,
-          "(rows, nv) for the generalised acceleration, Pinocchio's order.")
+          "Matrix A_a for the generalised accelerations, shape (rows, nv), Pinocchio's\n"
+          "order.")
       .def_prop_ro(
           "A_f", [](TaskRows& r) -> Eigen::Ref<Eigen::MatrixXd> { return r.A_f; },
           nb::rv_policy::reference_internal,
-          "(rows, 12) for the contact forces [N], world axes, FR FL RR RL.")
+          "Matrix A_f for the contact forces [N], shape (rows, 12), world axes, FR FL RR\n"
+          "RL.")
       .def_prop_ro(
           "b", [](TaskRows& r) -> Eigen::Ref<Eigen::VectorXd> { return r.b; },
-          nb::rv_policy::reference_internal, "(rows,) desired values.")
+          nb::rv_policy::reference_internal, "Desired values b, shape (rows,).")
       .def_prop_ro(
           "weight", [](TaskRows& r) -> Eigen::Ref<Eigen::VectorXd> { return r.weight; },
-          nb::rv_policy::reference_internal, "(rows,) 0 or more; initially 1.");
+          nb::rv_policy::reference_internal,
+          "Weight of each row, shape (rows,), >= 0; initially\n"
+          "1.");
   nb::class_<Task, PythonTask>(
       m, "Task",
       "Base class of custom tasks: subclass it and pass an instance to add_task().\n\n"
@@ -86,8 +90,8 @@ void bind_task(nb::module_& m) {
       .def(nb::init<>())
       .def("rows", &Task::rows, "Return the number of rows, 1 .. 1000. Called once, by add_task().")
       .def("write", &Task::write, "state"_a, "rows"_a,
-           "Write the rows for a state. Rows keep the values of the last tick until written\n"
-           "again.\n\n"
+           "Write the rows for a state. Rows that are not written keep the values of the\n"
+           "last tick.\n\n"
            "The acceleration of a frame is J a + Jdot v with v from state, in Pinocchio's\n"
            "conventions. Called in every tick.\n\n"
            "Args:\n"

@@ -13,29 +13,33 @@ using namespace surefoot;
 namespace {
 
 void bind_status(nb::module_& m) {
-  nb::enum_<Status>(m, "Status", "Result of a tick. Ticks report errors by it and never raise.")
+  nb::enum_<Status>(m, "Status",
+                    "Result of a tick. update() returns errors as a Status and\n"
+                    "never raises.")
       .value("OK", Status::kOk, "A command, or a solution, was computed.")
       .value("WAITING", Status::kWaiting, "No valid sample has arrived yet, or no tick has run.")
       .value("NON_FINITE", Status::kNonFinite,
-             "A used field is NaN or infinite, or in a LowState beyond 1e4.")
+             "A field that is read is NaN or infinite. In a LowState, also if its magnitude\n"
+             "exceeds 1e4.")
       .value("IMPLAUSIBLE", Status::kImplausible,
-             "A used field is beyond what the robot can do or measure.")
+             "A field that is read is beyond what the robot can do or measure.")
       .value("FALLEN", Status::kFallen, "The base is tilted beyond the gain fall_tilt.")
       .value("BAD_REFERENCE", Status::kBadReference,
-             "The reference needs a unit quaternion and an upward unit ground normal.")
+             "The quaternion or the ground normal of the reference is not of unit length, or\n"
+             "the normal does not point up.")
       .value("WRONG_SIZE", Status::kWrongSize,
              "q, v or the posture does not have the robot's size.")
       .value("BAD_QUATERNION", Status::kBadQuaternion,
-             "A quaternion (the IMU's, or q's) is zero or far from unit length.")
+             "The quaternion of the IMU or of q is zero or far from unit length.")
       .value("STALE_TICK", Status::kStaleTick, "LowState.tick did not advance, or jumped ahead.")
       .value("MAX_ITERATIONS", Status::kMaxIterations,
-             "The solver found no solution that passes the residual check.")
+             "The solver found no solution with small enough residuals.")
       .value("INFEASIBLE", Status::kInfeasible, "The solver reported that the QP is infeasible.")
       .value("SINGULAR", Status::kSingular,
              "Condensed form: a leg is nearly straight, or a foot near hip height.")
-      .value("DAMPING", Status::kDamping, "Latched: the motors brake until reset().")
+      .value("DAMPING", Status::kDamping, "Damping is latched: the motors damp until reset().")
       .value("BAD_TASK", Status::kBadTask,
-             "A custom task failed, or wrote invalid or far too heavy rows.")
+             "A custom task failed, or wrote invalid rows or rows with too large weights.")
       .value("SATURATED", Status::kSaturated,
              "The command may be sent; a motor or the power is at its limit.")
       .value("DIVERGED", Status::kDiverged,
@@ -44,11 +48,15 @@ void bind_status(nb::module_& m) {
         "Return whether a tick with this status gave a command to send. Real-time: yes.");
   nb::enum_<QpForm>(m, "QpForm",
                     "Form of the whole-body QP: how the equations of motion are eliminated.")
-      .value("AUTO", QpForm::kAuto, "Condensed where it is valid, else general, with hysteresis.")
+      .value("AUTO", QpForm::kAuto,
+             "CONDENSED while this form is valid, else GENERAL, with\n"
+             "hysteresis.")
       .value("CONDENSED", QpForm::kCondensed,
-             "Variables: contact forces. SINGULAR where a leg is nearly singular.")
+             "The variables are the contact forces. If a leg is nearly singular, the status is\n"
+             "SINGULAR.")
       .value("GENERAL", QpForm::kGeneral,
-             "Variables: accelerations and contact forces. Any pose, further joints.");
+             "The variables are the accelerations and contact forces. Valid for any pose and\n"
+             "for further joints.");
   nb::enum_<BodyPoint>(m, "BodyPoint", "Point of the body that the position task moves.")
       .value("CENTER_OF_MASS", BodyPoint::kCenterOfMass, "The centre of mass of the robot.")
       .value("BASE", BodyPoint::kBase, "The origin of the base.");
@@ -89,9 +97,9 @@ void bind_robot_state(nb::module_& m) {
   nb::class_<RobotState>(
       m, "RobotState",
       "State of the robot: pose, motion, contacts and external wrench.\n\n"
-      "RobotState(nq, nv) is at rest, base level at the world origin; raises Error\n"
-      "unless nq >= 7 and nv >= 6. Arrays are writable numpy views; an assignment of\n"
-      "another shape raises ValueError.")
+      "RobotState(nq, nv) is at rest, with the base level at the world origin. It\n"
+      "raises Error unless nq >= 7 and nv >= 6. Arrays are writable numpy views; an\n"
+      "assignment of another shape raises ValueError.")
       .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18)
       .def_prop_rw("q", get(&RobotState::q), set("q", &RobotState::q),
                    nb::for_getter(nb::rv_policy::reference_internal),
@@ -102,8 +110,8 @@ void bind_robot_state(nb::module_& m) {
       .def_prop_rw("contact", get(&RobotState::contact), set("contact", &RobotState::contact),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Contact confidence of each foot, 0 .. 1, FR FL RR RL, shape (4,).\n\n"
-                   "At 0 the gains force_lost_contact and share_lost_contact limit the load of a\n"
-                   "stance foot. To lift a foot, use FootReference.stance.")
+                   "While the confidence of a stance foot is 0, the gains force_lost_contact and\n"
+                   "share_lost_contact limit its load. To lift a foot, use FootReference.stance.")
       .def_prop_rw("f_external", get(&RobotState::f_external),
                    set("f_external", &RobotState::f_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
@@ -113,18 +121,18 @@ void bind_robot_state(nb::module_& m) {
                    set("f_sustained", &RobotState::f_sustained),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Sustained part of f_external [N], world axes, shape (3,): a payload.\n\n"
-                   "The torques that hold the robot take it into account.")
+                   "The holding torques include this force.")
       .def_prop_rw("moment_external", get(&RobotState::moment_external),
                    set("moment_external", &RobotState::moment_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "External moment about the centre of mass [N.m], world axes, shape (3,).\n\n"
-                   "The estimator reports its sustained part.")
+                   "The estimator sets the sustained part only.")
       .def_prop_rw(
           "friction", get(&RobotState::friction), set("friction", &RobotState::friction),
           nb::for_getter(nb::rv_policy::reference_internal),
           "Share of RobotConfig.friction that each foot may use, 0 .. 1, shape (4,), FR FL\n"
           "RR RL.\n\n"
-          "Less than 1 while the foot slips.");
+          "The share of a foot that slips is below 1.");
 }
 
 void bind_reference(nb::module_& m) {
@@ -133,9 +141,10 @@ void bind_reference(nb::module_& m) {
       "Reference of one foot, in the world frame of RobotState. Arrays are writable\n"
       "views.")
       .def(nb::init<>())
-      .def_rw("stance", &FootReference::stance, "False: swing foot, carries no force.")
+      .def_rw("stance", &FootReference::stance,
+              "True for a stance foot; False for a swing foot, which carries no force.")
       .def_rw("load", &FootReference::load,
-              "Planned load 0 .. 1; ramp it to make or break contact.")
+              "Planned load, 0 .. 1. Ramp it up to make contact and down to break contact.")
       .def_prop_rw("p_world", get(&FootReference::p_world), set("p_world", &FootReference::p_world),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Desired position of the contact point [m], shape (3,).")
@@ -147,11 +156,12 @@ void bind_reference(nb::module_& m) {
                    "Feed-forward acceleration of the contact point [m/s^2], shape (3,).")
       .def_prop_rw("f_world", get(&FootReference::f_world), set("f_world", &FootReference::f_world),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Desired force of the ground on the foot [N], shape (3,); used if\n"
-                   "Reference.use_forces.");
+                   "Desired ground force on the foot [N], shape (3,); used if\n"
+                   "Reference.use_forces is True.");
   nb::class_<Reference>(m, "Reference",
                         "Desired motion of the robot in the world frame of RobotState.\n\n"
-                        "A planner writes one in each tick. Arrays are writable numpy views.")
+                        "A planner writes a Reference in each tick. Arrays are writable numpy\n"
+                        "views.")
       .def(nb::init<>())
       .def_rw("body_point", &Reference::body_point, "Point that the position task moves.")
       .def_prop_rw("p_com", get(&Reference::p_com), set("p_com", &Reference::p_com),
@@ -201,10 +211,12 @@ void bind_reference(nb::module_& m) {
             return r.feet[leg];
           },
           "leg"_a, nb::rv_policy::reference_internal,
-          "Return the FootReference of a leg, a reference: FR FL RR RL = 0 .. 3.\n\n"
+          "Return the FootReference of a leg; changes to it change this object. leg: 0 FR,\n"
+          "1 FL, 2 RR, 3 RL.\n\n"
           "Raises IndexError for another number.")
       .def_rw("use_forces", &Reference::use_forces,
-              "True: regularise towards foot(i).f_world, not towards even forces.")
+              "True if the QP regularises the forces towards foot(i).f_world, not towards even\n"
+              "forces.")
       .def_prop_rw("posture", get(&Reference::posture), set("posture", &Reference::posture),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Joint angles of the posture task [rad], shape (nv - 6,), order of v[6:].\n\n"
@@ -212,7 +224,8 @@ void bind_reference(nb::module_& m) {
       .def_prop_rw("ground_normal", get(&Reference::ground_normal),
                    set("ground_normal", &Reference::ground_normal),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Ground normal for all feet, unit length, out of the ground, shape (3,).");
+                   "Ground normal, the same for all feet: unit length, pointing out of the\n"
+                   "ground, shape (3,).");
 }
 
 void bind_solution(nb::module_& m) {
@@ -221,26 +234,29 @@ void bind_solution(nb::module_& m) {
                        "For a status other than OK and SATURATED, all fields but iterations and\n"
                        "residuals are those of the last good tick.")
       .def_ro("status", &Solution::status, "Result of the tick.")
-      .def_ro("form", &Solution::form, "Form that was solved: CONDENSED or GENERAL.")
+      .def_ro("form", &Solution::form, "Form of the QP that was solved: CONDENSED or GENERAL.")
       .def_ro("accelerations", &Solution::accelerations,
               "Generalised accelerations, shape (nv,), Pinocchio's order and base axes.")
       .def_ro("forces", &Solution::forces,
-              "Force of the ground on each foot [N], world axes, shape (3, 4), FR FL RR RL.")
+              "Ground force on each foot [N], world axes, shape (3, 4), FR FL RR RL.")
       .def_ro("torques", &Solution::torques,
               "Joint torques [N.m], shape (nv - 6,), order of v[6:].")
       .def_ro("clipped_torque", &Solution::clipped_torque,
-              "Largest torque cut off at a motor limit [N.m].")
+              "Largest amount by which a torque was clipped at a motor limit [N.m].")
       .def_ro("torque_limit_violation", &Solution::torque_limit_violation,
-              "Largest slack of torque limits, share of tau_max.")
+              "Largest slack of the torque limits, as a share of tau_max.")
       .def_ro("joint_limit_violation", &Solution::joint_limit_violation,
-              "Largest slack of joint position and velocity limits [rad/s^2].")
+              "Largest slack of the joint position and velocity limits, as a joint acceleration\n"
+              "[rad/s^2].")
       .def_ro("hold_down_violation", &Solution::hold_down_violation,
               "Largest slack of the hold-down forces [N].")
-      .def_ro("iterations", &Solution::iterations, "Inner iterations of the solver.")
+      .def_ro("iterations", &Solution::iterations, "Number of inner iterations of the solver.")
       .def_ro("primal_residual", &Solution::primal_residual,
-              "Primal residual by our own check, in the scaling of the QP.")
+              "Primal residual of the scaled QP, computed by Surefoot and not taken from the\n"
+              "solver library.")
       .def_ro("dual_residual", &Solution::dual_residual,
-              "Dual residual by our own check, in the scaling of the QP.");
+              "Dual residual of the scaled QP, computed by Surefoot and not taken from the\n"
+              "solver library.");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void bind_options(nb::module_& m) {
           "form"_a = QpForm::kAuto, "tolerance"_a = 1e-6)
       .def_rw("form", &WholeBodyOptions::form, "Form of the QP: AUTO, CONDENSED or GENERAL.")
       .def_rw("tolerance", &WholeBodyOptions::tolerance,
-              "Tolerance of the QP residuals, in the scaling of the QP; 1e-14 .. 1e-3.");
+              "Largest residual of an accepted solution of the scaled QP, 1e-14 .. 1e-3.");
 }
 
 void bind_qp_problem(nb::module_& m) {
@@ -55,14 +55,15 @@ void bind_whole_body(nb::module_& m) {
       "(centre of mass or base, orientation, angular momentum), of the posture and of\n"
       "custom tasks, and the distance of the contact forces from the even forces.\n"
       "Equality constraints: rigid-body dynamics with armature, and the desired\n"
-      "accelerations of the contact points. Two exceptions: near the support edge, an\n"
-      "unloaded leg is released and keeps its own joint limits; in the general form,\n"
-      "the foot row of a nearly singular leg is part of the cost. Hard constraints:\n"
-      "friction and largest normal force of each foot, which always allow f = 0.\n"
-      "Elastic constraints with exact penalties: motor torque by the torque-speed\n"
-      "curve, joint position and velocity, and hold-down; so the QP is always feasible.\n"
-      "Finally the torques are clipped to the motor limits; Solution.clipped_torque\n"
-      "reports by how much. docs/condensed-qp.md has the equations.\n\n"
+      "accelerations of the contact points. Two exceptions: near the support edge, the\n"
+      "joint limits of an unloaded leg are lifted in the QP and applied afterwards; in\n"
+      "the general form, the desired acceleration of the foot of a nearly singular leg\n"
+      "is a cost, not a constraint. Hard constraints: friction and largest normal force\n"
+      "of each foot, which always allow f = 0. Elastic constraints with exact\n"
+      "penalties: motor torque (torque-speed curve), joint position and velocity, and\n"
+      "hold-down. They keep the QP feasible. Finally the torques are clipped to the\n"
+      "motor limits; Solution.clipped_torque is the largest amount clipped.\n"
+      "docs/condensed-qp.md has the equations.\n\n"
       "Assumes spherical feet that roll, and one ground normal for all feet. Not\n"
       "thread-safe.")
       .def(
@@ -75,8 +76,8 @@ void bind_whole_body(nb::module_& m) {
           "Create a controller.\n\n"
           "Args:\n"
           "    robot: Model and configuration.\n"
-          "    gains: None: those of robot.config.\n"
-          "    options: Fixed at construction.\n\n"
+          "    gains: Gains to use; None: robot.config.gains.\n"
+          "    options: Options, fixed at construction.\n\n"
           "Raises:\n"
           "    Error: The robot does not fit the form of the QP, a leg is singular in its\n"
           "        standing pose, or a gain or an option is invalid.")
@@ -88,20 +89,22 @@ void bind_whole_body(nb::module_& m) {
             return solution;
           },
           "state"_a, "reference"_a,
-          "Compute one tick. Raises only what a Python task raised.\n\n"
+          "Compute one tick. An exception of a Python task is raised after the tick; no\n"
+          "other is raised.\n\n"
           "Real-time: yes, if the custom tasks are.\n\n"
           "Args:\n"
           "    state: q (nq,) and v (nv,) in Pinocchio's order; contact confidence 0 .. 1\n"
           "        per foot.\n"
-          "    reference: In the world frame of state.\n\n"
+          "    reference: Desired motion, in the world frame of state.\n\n"
           "Returns:\n"
           "    The solution, a copy. For a status other than OK and SATURATED, all fields\n"
           "    but iterations and residuals are those of the last good tick.")
       .def("hold", &WholeBodyController::hold, "state"_a,
-           "Make the reference that keeps the robot as it is.\n\n"
-           "Centre of mass, base pose, contact points and posture of state, at rest. Raises\n"
-           "Error if q or v has the wrong size, a value is not finite or out of range, or\n"
-           "the quaternion is not of unit length. Real-time: no.")
+           "Return a reference that keeps the robot in its present pose.\n\n"
+           "The reference has the centre of mass, base pose, contact points and posture of\n"
+           "`state`, and zero velocities. Raises Error if q or v has the wrong size, a value\n"
+           "is not finite or out of range, or the quaternion is not of unit length.\n"
+           "Real-time: no.")
       .def("add_task", &WholeBodyController::add_task, "task"_a,
            "Add a custom task, in force from the next tick on.\n\n"
            "Raises Error if task is None or its rows() is not 1 .. 1000. Real-time: no.")
@@ -110,12 +113,12 @@ void bind_whole_body(nb::module_& m) {
            "invalid.")
       .def_prop_ro(
           "gains", [](const WholeBodyController& c) { return Gains(c.gains()); },
-          "Gains in force, a copy.")
+          "Gains last set, a copy.")
       .def_prop_ro(
           "qp", [](const WholeBodyController& c) { return QpProblem(c.qp()); },
-          "QP that the last tick solved, in its scaling, a copy.\n\n"
-          "It is the hard QP, or the elastic one with slacks while a constraint is\n"
-          "violated.")
+          "Scaled QP that the last tick solved, a copy.\n\n"
+          "If no elastic constraint is violated, this is the QP without slack variables;\n"
+          "else it is the QP with slack variables.")
       .def("reset", &WholeBodyController::reset,
            "Discard the warm start and the last contact forces; Solution.status becomes\n"
            "WAITING.\n\n"

@@ -5,15 +5,17 @@
 namespace nb = nanobind;
 
 NB_MODULE(_core, m) {
-  // A Python task and the controller that holds it may both outlive the interpreter.
+  // A Python task and its controller refer to each other, so both may still exist when the
+  // interpreter exits. nanobind would report this as a leak.
   nb::set_leak_warnings(false);
   m.doc() =
       "C++ core of Surefoot; import surefoot instead.\n\n"
       "Real-time marks in these docstrings apply to the C++ functions; calls from\n"
-      "Python allocate. An object that is called a copy does not change with later\n"
-      "ticks. Its arrays are numpy views of that object.";
+      "Python allocate. Docstrings mark some objects as copies: a copy does not change\n"
+      "with later ticks. The arrays of a copy are numpy views of the copy.";
   nb::exception<surefoot::Error>(m, "Error").doc() =
-      "Error while building, loading or configuring. A tick never raises it.\n\n"
+      "Error while a robot or a controller is built, loaded or configured. A tick never\n"
+      "raises this error.\n\n"
       "The message says what is wrong, what was got, what was expected, and which names\n"
       "are valid.";
   bind_low_level(m);

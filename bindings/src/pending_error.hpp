@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Raise the exception that a Python task raised in the last tick of this thread, if there is one.
-/// A tick is noexcept, so the exception is stored and raised after the tick.
+/// If a Python task raised an exception in the last tick of this thread, raise this exception. A
+/// tick is noexcept, so the exception is stored during the tick and raised here.
 void raise_pending_error();

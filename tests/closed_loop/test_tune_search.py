@@ -374,7 +374,7 @@ def test_search_range_includes_the_start_and_refuses_a_start_of_0() -> None:
     settings = SearchSettings("go1", slow)
     sway = next(p for p in settings.space if p.name == "sway_frequency")
     assert sway.low == pytest.approx(math.sqrt(0.5) / (2.0 * math.pi))
-    with pytest.raises(Error, match="start's weight_momentum is 0, expected above 0"):
+    with pytest.raises(Error, match="got start value 0 of weight_momentum, expected above 0"):
         SearchSettings("go1", OWN, space=(parse_parameter("weight_momentum"),))
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
+#include "robot_states.hpp"
 #include "safety/command_hold.hpp"
 
 using namespace surefoot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DAQP by its C interface: dual active-set method on dense data.
+// DAQP through its C interface: dual active-set method on dense data.
 #include <daqp/api.h>
 #include <daqp/utils.h>
 
@@ -72,7 +72,7 @@ class Daqp : public Adapter {
   }
 
  private:
-  // setup_daqp() needs the data of the first QP. A failed setup frees its memory.
+  // setup_daqp() needs the data of the first QP. If it fails, it frees its memory.
   bool start() {
     work_ = {};
     allocate_daqp_settings(&work_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // eiquadprog-fast, the Goldfarb-Idnani solver of TSID. Its inequalities are one-sided. Two-sided
-// ones are split before timing, because a user would write them one-sided.
+// inequalities are split before timing, because a user would write one-sided inequalities.
 #include <cmath>
 #include <eiquadprog/eiquadprog-fast.hpp>
 
@@ -46,8 +46,8 @@ class Eiquadprog : public Adapter {
     a.x.assign(x_.begin(), x_.end());
     a.y.assign(a.y.size(), 0.0);
     a.z.assign(a.z.size(), 0.0);
-    // Its inequalities are CI x + ci >= 0, so the multipliers have the opposite sign. Equalities
-    // are numbered -1, -2 ...
+    // The solver's inequalities are CI x + ci >= 0, so its multipliers have the opposite sign. Its
+    // equalities have the numbers -1, -2 ...
     const auto& active = solver_.getActiveSet();
     const auto& u = solver_.getLagrangeMultipliers();
     for (std::size_t k = 0; k < solver_.getActiveSetSize(); ++k) {
@@ -62,7 +62,7 @@ class Eiquadprog : public Adapter {
   }
 
  private:
-  // Missing bounds are left out, so the number of rows may change from tick to tick.
+  // Rows without a bound are omitted, so the number of rows may change from tick to tick.
   void split_bounds() {
     source_row_.clear();
     bound_sign_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HPIPM by its dense C interface: interior-point method on BLASFEO.
+// HPIPM through its dense C interface: interior-point method on BLASFEO.
 #include <hpipm_d_dense_qp.h>
 #include <hpipm_d_dense_qp_dim.h>
 #include <hpipm_d_dense_qp_ipm.h>
@@ -82,7 +82,7 @@ class Hpipm : public Adapter {
     auto* solution = const_cast<d_dense_qp_sol*>(&solution_);
     d_dense_qp_sol_get_v(solution, a.x.data());
     if (setup_.n_eq > 0) d_dense_qp_sol_get_pi(solution, a.y.data());
-    for (double& y : a.y) y = -y;  // its Lagrangian has -pi'(A x - b)
+    for (double& y : a.y) y = -y;  // HPIPM's Lagrangian has -pi'(A x - b)
     d_dense_qp_sol_get_lam_lg(solution, lower_multipliers_.data());
     d_dense_qp_sol_get_lam_ug(solution, upper_multipliers_.data());
     for (int i = 0; i < setup_.n_in; ++i) {

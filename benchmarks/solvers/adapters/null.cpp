@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does nothing: its time is the overhead of clocks and call in all other figures.
+// Adapter that does nothing. Its time is the overhead of the clocks and the call, which is part of
+// all solver times.
 #include "adapter.hpp"
 
 namespace bench {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OSQP by its C interface: ADMM on sparse data. The sparsity pattern is fixed beforehand. Copying
-// the values of each tick into the columns is timed.
+// OSQP through its C interface: ADMM on sparse data. The sparsity pattern is fixed beforehand. The
+// copy of each tick's values into the columns is timed.
 #include <osqp/osqp.h>
 
 #include <algorithm>
@@ -111,7 +111,7 @@ class Osqp : public Adapter {
 
  private:
   static constexpr double kEps =
-      0.1;  // OSQP checks residuals of the scaled QP: with 1 some answers are wrong
+      0.1;  // OSQP checks residuals of the scaled QP; with 1 here, some answers would be wrong
 
   static bool used(const std::vector<char>& pattern, int k) {
     return pattern.empty() || pattern[k] != 0;

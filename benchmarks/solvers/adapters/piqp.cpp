@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PIQP by its dense C++ interface: proximal interior-point method. It is header-only, so it is
-// compiled with the same Eigen and flags as the others.
+// PIQP through its dense C++ interface: proximal interior-point method. PIQP is header-only, so it
+// is compiled with the same Eigen and flags as the adapters.
 #include <piqp/piqp.hpp>
 
 #include "adapter.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ProxQP by QP::update() and QP::solve(), as in its documentation.
+// ProxQP through QP::update() and QP::solve(), as in its documentation.
 #include <proxsuite/proxqp/dense/dense.hpp>
 
 #include "adapter.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// qpOASES by casadi::conic, because the casadi wheel has its library but not its headers. The
-// wrapper copies the data once and writes A row by row, which is timed.
+// qpOASES through casadi::conic, because the casadi wheel has the library of qpOASES but not its
+// headers. The wrapper copies the data once and writes A row by row. Both are timed.
 #include <algorithm>
 #include <casadi/casadi.hpp>
 #include <limits>
@@ -61,7 +61,7 @@ class Qpoases : public Adapter {
     }
     return succeeded_ ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
-  int iterations() const override { return -1; }  // the wrapper does not report them
+  int iterations() const override { return -1; }  // -1: the wrapper does not report iterations
   void read_solution(Solution& a) const override {
     a.x = x_;
     std::copy_n(multipliers_.begin(), setup_.n_eq, a.y.begin());

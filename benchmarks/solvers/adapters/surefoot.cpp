@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surefoot's QpSolver: a dual active-set method, and ProxQP if that does not converge.
+// Surefoot's QpSolver: a dual active-set method, and ProxQP if this method does not converge.
 #include "adapter.hpp"
 #include "wbc/qp_solver.hpp"
 

@@ -12,13 +12,14 @@ using Vector3 = Eigen::Vector3d;
 using Wxyz = Eigen::Vector4d;
 
 /// Model of the vendor's attitude filter: integrates the gyroscope and corrects the tilt towards
-/// gravity. Yaw is only integrated, so it drifts. Source: R. Mahony, T. Hamel, J.-M. Pflimlin,
-/// "Nonlinear complementary filters on the special orthogonal group", IEEE TAC 53(5), 2008: the
-/// explicit filter without bias estimate.
+/// gravity. Yaw is integrated without correction, so it drifts. Source: R. Mahony, T. Hamel, J.-M.
+/// Pflimlin, "Nonlinear complementary filters on the special orthogonal group", IEEE TAC 53(5),
+/// 2008: the explicit filter without bias estimate.
 class MahonyFilter {
  public:
-  /// Start with the tilt of an accelerometer reading `a` at rest, and with yaw 0.
-  /// @param a specific force, IMU axes [m/s^2] @param gain of the tilt correction [1/s]
+  /// Start with the tilt that the accelerometer reading `a` gives at rest, and with yaw 0.
+  /// @param a specific force, IMU axes [m/s^2]
+  /// @param gain gain of the tilt correction [1/s]
   MahonyFilter(const Vector3& a, double gain) : gain_(gain) {
     const double roll = std::atan2(a.y(), a.z());
     const double pitch = std::atan2(-a.x(), std::hypot(a.y(), a.z()));
@@ -33,7 +34,7 @@ class MahonyFilter {
   void update(Vector3 gyro, const Vector3& accel, double dt) {
     const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
     const double norm = accel.norm();
-    if (norm > 1e-6) {  // [m/s^2] in free fall there is no vertical to correct to
+    if (norm > 1e-6) {  // [m/s^2] in free fall the accelerometer does not show the vertical
       // Correction: cross product of measured and estimated up, both in IMU axes.
       const Vector3 up(2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
       const Vector3& a = accel;
@@ -59,10 +60,10 @@ struct ImuSite {
 /// Errors of a real IMU: constant bias, white noise, and a sample period of several physics steps.
 struct ImuErrorModel {
   Vector3 gyro_bias, accelerometer_bias;   // [rad/s], [m/s^2], IMU axes
-  double gyro_noise, accelerometer_noise;  // standard deviations of a sample
-  int steps;                               // physics steps per sample
-  double period;                           // [s] of the samples
-  double filter_gain;                      // [1/s] of the attitude filter
+  double gyro_noise, accelerometer_noise;  // standard deviations of a sample, same units
+  int steps;                               // number of physics steps per sample
+  double period;                           // [s] sample period
+  double filter_gain;                      // [1/s] gain of the attitude filter
 };
 
 /// Simulated IMU at its mount: exact, or with bias, noise and the vendor's attitude filter.
@@ -76,14 +77,14 @@ class Imu {
         real_(true),
         filter_({0, 0, 9.81}, flaws.filter_gain) {}
 
-  /// Start the filter with the accelerometer at rest, without noise: a real filter has averaged it
-  /// out.
+  /// Start the filter with the robot at rest. The accelerometer has its bias but no noise, because
+  /// a real filter has averaged out the noise by then.
   void start() {
     if (real_)
       filter_ = {vector(site_.accelerometer) + flaws_.accelerometer_bias, flaws_.filter_gain};
   }
 
-  /// Advance by one physics step; take a sample at the end of each sample period.
+  /// Advance by one physics step. At the end of each sample period, measure and update the filter.
   void step() {
     if (!real_ || ++count_ % flaws_.steps != 0) return;
     const auto draw = [this](double deviation) {

@@ -9,12 +9,13 @@
 namespace surefoot::plant {
 
 /// Simulated joint encoders: quantised angles, and velocities with the low-pass filter of a motor
-/// driver and white noise. If the quantum is 0, both are exact.
+/// driver and white noise. If the quantum is 0, angles and velocities are exact.
 class Encoders {
  public:
   /// @param quantum step of the angles [rad]; 0: exact
   /// @param share by which the velocity filter approaches its input in a physics step, 0 .. 1
-  /// @param noise standard deviation of the velocities [rad/s] @param rng numpy.random.Generator
+  /// @param noise standard deviation of the velocities [rad/s]
+  /// @param rng numpy.random.Generator
   Encoders(double quantum, double share, double noise, nb::object rng)
       : quantum_(quantum), filter_blend_(share), noise_std_(noise), noise_(std::move(rng)) {}
 
@@ -26,7 +27,8 @@ class Encoders {
     if (quantum_ == 0.0) return q;
     return q.unaryExpr([this](double x) { return std::nearbyint(x / quantum_) * quantum_; });
   }
-  /// Return the measured velocities [rad/s]; dq, the true velocities, is used if they are exact.
+  /// Return the measured velocities [rad/s]. The true velocities dq [rad/s] are returned if the
+  /// quantum is 0.
   Array12 velocities(const Array12& dq) {
     if (quantum_ == 0.0) return dq;
     Array12 out;
@@ -43,7 +45,8 @@ class Encoders {
 using Array4 = Eigen::Array<double, kLegs, 1>;
 using Counts = Eigen::Array<std::int16_t, kLegs, 1>;
 
-/// Simulated foot force sensors: counts with drifting offset, gain and noise; newtons with noise.
+/// Simulated foot force sensors: footForce in counts, with drifting offset, gain and noise;
+/// footForceEst in newtons, with noise.
 class FootSensors {
  public:
   bool counts_enabled = false, newtons_enabled = false;

@@ -21,16 +21,20 @@ void bind_motors(nb::module_& m) {
   nb::class_<MotorCommands>(m, "MotorCommands",
                             "Commands of the twelve motors in a LowCmd, SI units, SDK motor order.")
       .def_prop_ro(
-          "mode", [](const MotorCommands& c) { return c.mode; }, "(12,)")
+          "mode", [](const MotorCommands& c) { return c.mode; }, "Motor modes, shape (12,).")
       .def_prop_ro(
-          "q", [](const MotorCommands& c) { return c.q; }, "(12,) [rad]")
+          "q", [](const MotorCommands& c) { return c.q; },
+          "Desired joint angles [rad], shape (12,).")
       .def_prop_ro(
-          "dq", [](const MotorCommands& c) { return c.dq; }, "(12,) [rad/s]")
+          "dq", [](const MotorCommands& c) { return c.dq; },
+          "Desired joint velocities [rad/s], shape (12,).")
       .def_prop_ro(
-          "tau", [](const MotorCommands& c) { return c.tau; }, "(12,) [N.m]")
+          "tau", [](const MotorCommands& c) { return c.tau; },
+          "Feed-forward torques [N.m], shape (12,).")
       .def_prop_ro(
-          "kp", [](const MotorCommands& c) { return c.kp; }, "(12,) [N.m/rad]")
-      .def_prop_ro("kd", [](const MotorCommands& c) { return c.kd; }, "(12,) [N.m.s/rad]");
+          "kp", [](const MotorCommands& c) { return c.kp; }, "Stiffness [N.m/rad], shape (12,).")
+      .def_prop_ro(
+          "kd", [](const MotorCommands& c) { return c.kd; }, "Damping [N.m.s/rad], shape (12,).");
   nb::class_<WireFormat>(m, "WireFormat", "Quantisation of commands and torques on the wire.")
       .def(
           "__init__",
@@ -57,27 +61,30 @@ void bind_motors(nb::module_& m) {
           },
           "offset"_a, "kp"_a, "kd"_a, "mode"_a = nb::none())
       .def_prop_ro(
-          "offset", [](const MotorLaw& l) { return l.offset; }, "(12,) [N.m]")
+          "offset", [](const MotorLaw& l) { return l.offset; },
+          "Constant torques [N.m], shape (12,).")
       .def_prop_ro(
-          "kp", [](const MotorLaw& l) { return l.kp; }, "(12,) [N.m/rad]")
+          "kp", [](const MotorLaw& l) { return l.kp; }, "Stiffness [N.m/rad], shape (12,).")
       .def_prop_ro(
-          "kd", [](const MotorLaw& l) { return l.kd; }, "(12,) [N.m.s/rad]")
-      .def_prop_ro("mode", [](const MotorLaw& l) { return l.mode; }, "(12,)");
+          "kd", [](const MotorLaw& l) { return l.kd; }, "Damping [N.m.s/rad], shape (12,).")
+      .def_prop_ro(
+          "mode", [](const MotorLaw& l) { return l.mode; },
+          "Motor modes that LowState reports, shape (12,).");
   m.def("command_law", &command_law, "command"_a, "brake_kd"_a,
         "Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command. A motor that is not "
         "in servo mode brakes with brake_kd [N.m.s/rad].");
-  nb::class_<Motors>(m, "Motors", "Simulated motors: compute joint torques from the law in force.")
+  nb::class_<Motors>(m, "Motors", "Simulated motors: compute joint torques from the present law.")
       .def(nb::init<const Array12&, const Array12&, const Array12&, double, const Array12&>(),
            "tau_max"_a, "corner_speed"_a, "no_load_speed"_a, "share"_a, "scale"_a)
       .def_prop_rw(
           "law", [](const Motors& s) { return MotorLaw(s.law); },
-          [](Motors& s, const MotorLaw& law) { s.law = law; }, "Law in force.")
+          [](Motors& s, const MotorLaw& law) { s.law = law; }, "Present torque law.")
       .def_prop_ro(
           "estimated_torque", [](const Motors& s) { return Array12(s.estimated_torque); },
-          "(12,) torque that the drivers estimate [N.m].")
+          "Torques that the drivers estimate [N.m], shape (12,).")
       .def_prop_ro(
           "torque", [](const Motors& s) { return Array12(s.torque); },
-          "(12,) torque that the motors produce [N.m].")
+          "Torques that the motors produce [N.m], shape (12,).")
       .def(
           "limits",
           [](const Motors& s, const Array12& dq) {
@@ -102,7 +109,7 @@ void bind_sensors(nb::module_& m) {
           "accelerometer"_a, "gain"_a)
       .def_prop_ro(
           "quaternion", [](const MahonyFilter& f) { return Wxyz(f.quaternion); },
-          "(4,) w, x, y, z: IMU to world.")
+          "Quaternion w x y z from IMU to world axes, shape (4,).")
       .def(
           "update",
           [](MahonyFilter& f, const Array3& gyro, const Array3& accel, double dt) {
@@ -180,11 +187,14 @@ void bind_physics(nb::module_& m) {
                   "site: tuple[int, int, int], flaws: ImuErrorModel | None, imu_rng: object, "
                   "encoders: Encoders, feet: FootSensors, foot_forces: object, "
                   "ground_normal: object, rest: object, tick0: int, rate: float) -> None"),
-          "site: indices in sensordata where gyro, accelerometer and quaternion begin.")
+          "Args:\n"
+          "    site: Indices in sensordata of the first entries of gyro, accelerometer and\n"
+          "        quaternion.")
       .def("start", &Sensors::start, "Start the attitude filter, with the robot at rest.")
       .def("read", &Sensors::read, "motors"_a,
            nb::sig("def read(self, motors: Motors) -> typing.Any"),
-           "Return the LowState of the present state.");
+           "Return the LowState of the present state; each call advances its tick by one\n"
+           "period.");
   nb::class_<Physics>(m, "Physics",
                       "Physics loop: MuJoCo's two half steps, with motors and sensors.")
       .def(nb::init<std::uintptr_t, std::uintptr_t, nb::object, nb::object, MujocoState>(),
@@ -192,9 +202,9 @@ void bind_physics(nb::module_& m) {
       .def_prop_rw(
           "external_torque", [](const Physics& p) { return Array12(p.external_torque); },
           [](Physics& p, const Array12& torque) { p.external_torque = torque; },
-          "(12,) external joint torques, added to those of the motors [N.m].")
+          "External joint torques [N.m], shape (12,), added to the torques of the motors.")
       .def("advance", &Physics::advance, "steps"_a, "motors"_a, "sensors"_a,
-           "Advance by physics steps.");
+           "Advance by a number of physics steps.");
 }
 
 }  // namespace

@@ -20,10 +20,11 @@ struct MotorCommands {
 
 /// Quantisation of commands and torques on the wire: tau is an int16 in units of 1 / per_tau N.m,
 /// Kp a uint16 in units of 1/32 and Kd in units of 1/16, truncated towards zero. Source: frames of
-/// unitree_legged_sdk (A1, Go1: 1/256 N.m; B1: 1/128), measured on the vendor's library. There
-/// values out of range wrap around; here they saturate. If `real` is false, values do not change.
+/// unitree_legged_sdk (A1, Go1: 1/256 N.m; B1: 1/128), measured on the vendor's library. The
+/// vendor's library wraps values that are out of range; this model saturates them. If `real` is
+/// false, values do not change.
 struct WireFormat {
-  double per_tau = 256.0;  ///< [1/(N.m)] counts; 128 on a B1
+  double per_tau = 256.0;  ///< [counts/(N.m)] 128 on a B1
   bool real = true;
 
   /// Return a torque [N.m] after transmission.
@@ -34,8 +35,8 @@ struct WireFormat {
   double gain(double value, double per_unit) const {
     return real ? std::trunc(std::clamp(value * per_unit, 0.0, 65535.0)) / per_unit : value;
   }
-  /// Return the motor commands of a LowCmd. A value that is not finite becomes PosStopF, VelStopF
-  /// or 0: it counts as not set.
+  /// Return the motor commands of a LowCmd. A value that is not finite counts as not set: it
+  /// becomes PosStopF, VelStopF or 0.
   MotorCommands read(const LowCmd& cmd) const {
     const auto finite_or = [](double value, double otherwise) {
       return std::isfinite(value) ? value : otherwise;
@@ -54,20 +55,21 @@ struct WireFormat {
   }
 };
 
-/// Torque law of the motor drivers: tau' = offset - kp q' - kd dq', with their measured q' and dq'.
-/// `mode` is the motor mode that LowState reports meanwhile.
+/// Torque law of the motor drivers: tau' = offset - kp q' - kd dq', where q' and dq' are the
+/// measured joint angle and velocity. `mode` is the motor mode that LowState reports under this
+/// law.
 struct MotorLaw {
   Array12 offset = Array12::Zero(), kp = Array12::Zero(), kd = Array12::Zero();
   Modes mode = Modes::Constant(kModeServo);
 };
 
 /// Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command. q = PosStopF, or any |q|
-/// of 1e9 rad and more as in the vendor's Python examples, switches the position term off, dq =
-/// VelStopF the velocity term. A motor that is not in servo mode ignores its command and brakes.
+/// of at least 1e9 rad, switches the position term off. dq = VelStopF switches the velocity term
+/// off. A motor that is not in servo mode ignores its command and brakes.
 /// @param brake_kd Kd of a motor that brakes [N.m.s/rad]
 inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
-  // [rad] from this |q| on there is no position command: PosStopF of the vendor's Python examples,
-  // below PosStopF of comm.h (2.146e9).
+  // [rad] Smallest |q| that is not a position command: PosStopF of the vendor's Python examples.
+  // Must be below PosStopF of comm.h (2.146e9).
   constexpr double kPositionOff = 1e9;
   MotorLaw law;
   for (int i = 0; i < kMotors; ++i) {
@@ -83,11 +85,13 @@ inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
 
 /// Simulated motors: compute joint torques from the law in force, one physics step at a time.
 ///
-/// They model the torque-speed curve, a first-order lag (exact for a constant target in a step),
-/// and a constant scale error of each motor.
+/// Models the torque-speed curve, a first-order lag (exact for a target that is constant in a
+/// step), and a constant scale error of each motor.
 class Motors {
  public:
-  /// @param tau_max [N.m] @param corner_speed [rad/s] @param no_load_speed [rad/s]
+  /// @param tau_max [N.m] torque limit up to corner_speed
+  /// @param corner_speed [rad/s] velocity at which the limit starts to fall
+  /// @param no_load_speed [rad/s] velocity at which the limit reaches zero
   /// @param share by which the torque approaches its target in a physics step, 0 .. 1
   /// @param scale factor on the torque of each motor
   Motors(const Array12& tau_max, const Array12& corner_speed, const Array12& no_load_speed,
@@ -99,8 +103,8 @@ class Motors {
         lag_blend_(share) {}
 
   MotorLaw law;
-  Array12 estimated_torque = Array12::Zero();  ///< [N.m] that the drivers estimate
-  Array12 torque = Array12::Zero();            ///< [N.m] that the motors produce
+  Array12 estimated_torque = Array12::Zero();  ///< [N.m] torque that the drivers estimate
+  Array12 torque = Array12::Zero();            ///< [N.m] torque that the motors produce
 
   /// Return the largest torque [N.m] at dq [rad/s]: tau_max up to corner_speed, then linear to zero
   /// at no_load_speed. A motor that brakes keeps tau_max.

@@ -10,8 +10,8 @@ namespace surefoot::plant {
 
 namespace nb = nanobind;
 
-/// Standard normal samples of a numpy.random.Generator, in its order. They are drawn in blocks,
-/// because a Python call per sample would take longer than the physics.
+/// Standard normal samples, in the order of a numpy.random.Generator. The samples are drawn in
+/// blocks, because one Python call per sample would take longer than the physics.
 class NormalSamples {
  public:
   explicit NormalSamples(nb::object rng) : rng_(std::move(rng)) {}
@@ -24,8 +24,8 @@ class NormalSamples {
 
  private:
   using Block = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-  // A multiple of 4, 6 and 12, the samples per reading. Chosen: about 1000 make the calls of Python
-  // rare. Another size gives other runs for the same seed.
+  // Number of samples per block. Chosen: about 1000, so that Python calls are rare; a multiple of
+  // 4, 6 and 12, the samples per reading. Another number changes the runs of a seed.
   static constexpr int kBlock = 1020;
 
   void refill() {

@@ -9,13 +9,16 @@ namespace surefoot::plant {
 ///
 /// The functions are called by address. So the library of MuJoCo's wheel is used, whatever its
 /// version, and nothing is linked. mj_step2 uses the results of mj_step1 for the same instant. So
-/// the torque laws use the present state, and after the loop all positions belong to the present.
-/// A fatal error of MuJoCo, such as an unknown solver or lack of memory, ends the process; the
-/// models built here do not cause one.
+/// the motors use the present state, and after the loop all positions belong to the present. A
+/// fatal error of MuJoCo, such as an unknown solver or lack of memory, ends the process; the models
+/// of this project cause no such error.
 class Physics {
  public:
-  /// @param step1 address of mj_step1 @param step2 address of mj_step2
-  /// @param model mujoco.MjModel @param data mujoco.MjData @param state views of `data`
+  /// @param step1 address of mj_step1
+  /// @param step2 address of mj_step2
+  /// @param model mujoco.MjModel
+  /// @param data mujoco.MjData
+  /// @param state views of `data`
   Physics(std::uintptr_t step1, std::uintptr_t step2, nb::object model, nb::object data,
           MujocoState state)
       : step1_(reinterpret_cast<Step>(step1)),
@@ -28,7 +31,7 @@ class Physics {
 
   Array12 external_torque = Array12::Zero();  ///< [N.m] added to the motors' torques
 
-  /// Advance by physics steps.
+  /// Advance by a number of physics steps.
   void advance(int steps, Motors& motors, Sensors& sensors) {
     Array12 dq = state_.dq();
     for (int k = 0; k < steps; ++k) {
@@ -44,7 +47,7 @@ class Physics {
  private:
   using Step = void (*)(const void* model, void* data);
   Step step1_, step2_;
-  nb::object model_, data_;  // kept alive
+  nb::object model_, data_;  // owners of m_ and d_
   const void* m_;
   void* d_;
   MujocoState state_;

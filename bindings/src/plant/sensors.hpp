@@ -52,7 +52,8 @@ class Sensors {
     encoders_.step(dq);
   }
 
-  /// Return the LowState of the present state; tauEst is the torque that the drivers estimate.
+  /// Return the LowState of the present state. tauEst is the torque that the drivers estimate. Each
+  /// call advances the tick by one control period.
   LowState read(const Motors& motors) {
     write_imu();
     write_motors(motors);
@@ -110,7 +111,7 @@ class Sensors {
   Vector3 ground_normal_;
   LowState frame_;
   std::uint32_t tick0_;
-  double rate_;  // [Hz]
+  double rate_;  // [Hz] rate of LowState
   std::int64_t readings_ = 0;
 };
 

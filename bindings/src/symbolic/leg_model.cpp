@@ -9,8 +9,8 @@
 
 namespace surefoot::symbolic {
 
-// Joint types of a base with one leg, and the mimic joint, which ModelTpl names. Pinocchio's
-// default list has two dozen types, and each costs seconds to compile.
+// Joint types of a base with one leg, and the mimic joint, which ModelTpl requires. Pinocchio's
+// default list has two dozen types, and each type costs seconds of compile time.
 template <typename Scalar, int Options>
 struct LegJoints {
   using JointModelVariant = boost::variant<
@@ -30,7 +30,8 @@ namespace {
 using LegModel = pinocchio::ModelTpl<SX, 0, LegJoints>;
 using LegData = pinocchio::DataTpl<SX, 0, LegJoints>;
 
-// Reads the entries of a column from first to last: the order of the calls is the data's layout.
+// Reads the entries of a column from first to last. The order of the calls defines the layout of
+// the data.
 struct EntryReader {
   SX symbols;
   int next = 0;
@@ -61,8 +62,8 @@ std::vector<SX>& add_field(LegExpressions& out, const std::string& name,
   return out.results;
 }
 
-// Build the model of a leg. Its joints are "unbounded": their configuration is (cos, sin), which
-// the caller computes once.
+// Build the model of a leg. Its joints are "unbounded": their coordinates are (cos, sin), which the
+// caller computes once.
 LegModel leg_model(EntryReader parameters, Vector3& p_calf_foot) {
   LegModel model;
   const Matrix3 no_rotation = Matrix3::Identity();

@@ -7,28 +7,28 @@
 
 namespace surefoot::symbolic {
 
-/// Field of the results.
+/// One field of the results of LegExpressions.
 struct Field {
   std::string name, meaning;
-  int first;  ///< index of its first entry
+  int first;  ///< index of the field's first entry in the results
 };
 
 /// Dynamics of one leg on a free base, as CasADi expressions; every member is a column.
 ///
-/// The base frame is used as the inertial frame, so that the configuration of the base drops out.
-/// Only results that Dynamics has in world axes are rotated by R_world_base at the end. Matrices
-/// are stored by columns, symmetric matrices as their upper triangle.
+/// The base frame is used as the inertial frame, so the expressions do not depend on the pose of
+/// the base. Only results that Dynamics has in world axes are rotated by R_world_base at the end.
+/// Matrices are stored by columns; of symmetric matrices only the upper triangle is stored.
 struct LegExpressions {
   /// For hip, thigh and calf: translation of the joint; mass, lever and inertia (xx xy yy xz yz zz)
-  /// of the body that it moves; armature. At the end: position of the foot in calf axes.
+  /// of the body that the joint moves; armature. At the end: position of the foot in calf axes.
   casadi::SX parameters;
-  /// State of the base, for every leg the same: v, w (base axes), R_world_base, gravity (base
-  /// axes), and lever: foot radius times ground normal, base axes.
+  /// State of the base, the same for every leg: v, w (base axes), R_world_base, gravity (base
+  /// axes), and lever, which is foot radius times ground normal (base axes).
   casadi::SX base;
-  casadi::SX leg;  ///< cos and sin of hip, thigh, calf; their velocities [rad/s]
+  casadi::SX leg;  ///< cos and sin of hip, thigh, calf; then joint velocities [rad/s]
   std::vector<casadi::SX> results;
   std::vector<Field> fields;  ///< fields of the results, in their order
-  int summed_count;           ///< number of first results that are summed over the legs
+  int summed_count;           ///< the first summed_count results are summed over the legs
 };
 
 /// Compute the expressions with Pinocchio's crba and nonLinearEffects. The leg has joint axes hip

@@ -80,7 +80,7 @@ std::string operation(const Function& f, casadi_int k, const std::vector<std::st
   }
 }
 
-// Return CasADi's list of instructions as C++ code, with one name for each value.
+// Return the instructions of a CasADi function as C++ code, with one name for each value.
 std::string body(const Function& f, const std::vector<std::string>& inputs) {
   std::vector<std::string> work(f.sz_w());
   std::ostringstream text;
@@ -111,7 +111,7 @@ std::string body(const Function& f, const std::vector<std::string>& inputs) {
 
 std::string leg_source() {
   const LegExpressions leg = leg_expressions();
-  // Expressions of the parameters alone are computed once, when the robot is known.
+  // Expressions that contain only parameters are computed once per robot.
   std::vector<SX> symbols, constants;
   SX results;
   SX::extract_parametric(cse(SX::vertcat(leg.results)), leg.parameters, results, symbols, constants,

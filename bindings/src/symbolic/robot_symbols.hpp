@@ -13,7 +13,7 @@ namespace surefoot::symbolic {
 /// The members are defined in two files, because each algorithm on CasADi scalars takes a gigabyte
 /// of memory to compile.
 struct RobotSymbols {
-  /// @param text of Robot::serialized_model()
+  /// @param text text of Robot::serialized_model()
   /// @param feet frame ids, FR FL RR RL
   RobotSymbols(const std::string& text, const std::array<int, 4>& feet);
 

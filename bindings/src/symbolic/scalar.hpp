@@ -15,8 +15,8 @@ using MatrixX = Eigen::Matrix<SX, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector3 = Eigen::Matrix<SX, 3, 1>;
 using Matrix3 = Eigen::Matrix<SX, 3, 3>;
 
-/// Convert an Eigen matrix of CasADi scalars to a CasADi matrix. Structural zeros stay sparse; in
-/// Pinocchio's own conversion they become entries.
+/// Convert an Eigen matrix of CasADi scalars to a CasADi matrix. Structural zeros stay sparse.
+/// (Pinocchio's own conversion stores them as entries.)
 template <typename Derived>
 SX to_casadi(const Eigen::MatrixBase<Derived>& m) {
   SX out(m.rows(), m.cols());

@@ -1,4 +1,4 @@
-"""One condition of a scorecard: ground, robot flaws, and losses of the link."""
+"""One condition of a scorecard: the ground, the flaws of the robot, and the lost frames."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.robot_toml import suggest
 from surefoot.robot.setting_checks import check_number, check_numbers, check_one_of, check_unique
 
-# Sanity limits of the fields, in their units.
+# Sanity limits (lowest, highest) of each field, in the unit of the field.
 _RANGES = {
     "friction": (0.01, 10.0),
     "slope_deg": (0.0, 45.0),
@@ -34,37 +34,37 @@ _RANGES = {
 
 @dataclass(frozen=True)
 class Condition:
-    """One condition of a scorecard. A field that is left out keeps its nominal value.
+    """One condition of a scorecard. Every field except `name` has a nominal value as default.
 
     Attributes:
-        name: Unique name, for people.
-        friction: True coefficient between foot and ground; the controller does not receive it.
+        name: Unique name; texts and reports show it.
+        friction: True friction coefficient between foot and ground; unknown to the controller.
         slope_deg: Steepness of the ground [deg].
         headings_deg: Directions of steepest ascent of slope or platform, from forward towards left
             [deg]; the robot stands once per heading and seed.
         tilt_deg: Final angle of a platform that tilts while the robot stands on it [deg].
-        tilt_deg_per_s: Speed of that tilt [deg/s].
+        tilt_deg_per_s: Angular speed of the tilting platform [deg/s].
         step_foot: Foot under which the ground rises while the robot stands; "" for none.
-        step_m: Height of that rise [m]; it takes STEP_RISE_TIME.
-        payload_share: Mass welded to the trunk, as a share of the robot's mass.
-        payload_offset_m: Position of that mass in the base frame, x, y, z [m].
-        mass_share: Excess of the true trunk mass over the model's, as a share of the robot's mass;
-            the trunk's inertia scales with its mass.
-        latency_ms: Delay of commands besides the plant's own [ms].
+        step_m: Height by which the ground under `step_foot` rises within STEP_RISE_TIME [m].
+        payload_share: Mass of the payload on the trunk, as a share of the robot's mass.
+        payload_offset_m: Position of the payload in the base frame, x, y, z [m].
+        mass_share: True trunk mass minus the trunk mass of the model, as a share of the robot's
+            mass. The true inertia of the trunk scales with its mass.
+        latency_ms: Extra delay of commands, added to the delays of the plant [ms].
         loss_percent: Share of frames lost in each direction of the link [%].
-        joint_friction_scale: Factor on joint friction and damping.
+        joint_friction_scale: Ratio of true joint friction and damping to those of the model.
         motor_lag_ms: Time constant of the motor torque [ms].
-        torque_scale: Factor on every motor's torque.
-        soft_ground_mm: Depth that a foot sinks under a quarter of the robot's weight [mm].
+        torque_scale: Ratio of the true torque of every motor to the commanded torque.
+        soft_ground_mm: Depth by which a foot sinks with a quarter of the robot's weight on it [mm].
         quiet_s: Time of undisturbed standing before a push or before the ground moves [s].
-        pushes: True to push the robot under this condition too.
+        pushes: True: the robot is also pushed under this condition, not only left standing.
         height_within_mm: Tolerance of the body height at the end of a quiet stand [mm].
         tilt_within_deg: Tolerance of the body attitude at the end of a quiet stand [deg].
-        foot_within_mm: Tolerance of every foot's displacement over the whole stand [mm].
+        foot_within_mm: Tolerance of every foot's displacement over the whole quiet stand [mm].
     """
 
     name: str
-    friction: float = 0.8  # PlantSettings' default
+    friction: float = 0.8  # the default of PlantSettings
     slope_deg: float = 0.0
     headings_deg: tuple[float, ...] = (0.0,)
     tilt_deg: float = 0.0
@@ -77,12 +77,12 @@ class Condition:
     latency_ms: float = 0.0
     loss_percent: float = 0.0
     joint_friction_scale: float = 1.0
-    motor_lag_ms: float = 2.0  # PlantSettings' default for real sensors
+    motor_lag_ms: float = 2.0  # the default of PlantSettings with real sensors
     torque_scale: float = 1.0
     soft_ground_mm: float = 0.0
-    quiet_s: float = 0.4  # chosen: above the 0.15 s in which the estimator finds the attitude
+    quiet_s: float = 0.4  # chosen: longer than the estimator needs to find the attitude (0.15 s)
     pushes: bool = False
-    # Tolerances of RETURN_DISTANCE, RETURN_ANGLE and MAX_FOOT_TRAVEL (push_outcome.py).
+    # The same tolerances as RETURN_DISTANCE, RETURN_ANGLE and MAX_FOOT_TRAVEL in push_outcome.py.
     height_within_mm: float = 10.0
     tilt_within_deg: float = 2.0
     foot_within_mm: float = 10.0
@@ -120,7 +120,11 @@ class Condition:
 
 
 def read_condition(table: Any) -> Condition:
-    """Return the condition of a TOML table; raises Error for an unknown or a missing key."""
+    """Return the condition that a TOML table describes.
+
+    Raises:
+        Error: A key is unknown, the key "name" is missing, or a value is out of range.
+    """
     if not isinstance(table, dict):
         raise Error(f"condition: got {table!r}, expected a table [[condition]]")
     valid = [field.name for field in fields(Condition)]

@@ -13,16 +13,20 @@ from surefoot.sim.model.moving_ground import set_ground_speed
 from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.sim.settings import COARSE_DT
 
-# [s] time in which the ground under a foot rises by step_m. Chosen, part of the protocol of
-# docs/assess.md: 6 cm/s for 3 cm; faster ground would throw the foot.
+# [s] Time in which the ground under a foot rises by step_m. Chosen as part of the protocol in
+# docs/assess.md: a step of 3 cm then rises at 6 cm/s. A faster step would throw the foot up.
 STEP_RISE_TIME = 0.5
 
 RobotSource = str | tuple[str, str]
-"""A robot's name, or the paths of its URDF and TOML; picklable for worker processes."""
+"""A robot's name, or the paths of its URDF and TOML; picklable, so worker processes can have it."""
 
 
 def describe_source(source: RobotSource) -> RobotDescription:
-    """Return the description of a robot; raises Error."""
+    """Return the description of a robot.
+
+    Raises:
+        Error: The robot is unknown, or its files are missing or invalid.
+    """
     if isinstance(source, str):
         return describe_robot(source)
     return describe_robot(urdf=source[0], config=source[1])
@@ -42,7 +46,7 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
     Args:
         condition: The condition; only its first heading is used.
         mass: Mass of the robot [kg].
-        trunk: Mass of its trunk alone [kg].
+        trunk: Mass of the robot's trunk alone [kg].
     """
     c = condition
     return PlantSettings(
@@ -65,7 +69,7 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
 
 
 def loop_delay(plant: Plant) -> float:
-    """Return the delay from a measurement to the action of the command made from it [s]."""
+    """Return the delay from a measurement until the resulting command acts [s]."""
     settings = plant.settings
     # Plant.step() rounds the extra delay to whole physics steps.
     extra = round(settings.extra_delay / settings.physics_dt) * settings.physics_dt
@@ -73,13 +77,16 @@ def loop_delay(plant: Plant) -> float:
 
 
 def ground_motion_time(condition: Condition) -> float:
-    """Return the time during which the ground moves [s]."""
+    """Return the time during which the ground moves [s]; 0 if it does not move."""
     tilts = condition.tilt_deg / condition.tilt_deg_per_s
     return max(tilts, STEP_RISE_TIME if condition.step_foot else 0.0)
 
 
 def ground_mover(condition: Condition, plant: Plant) -> Callable[[float], None] | None:
-    """Return a function of the time since the quiet phase [s] that moves the ground, or None."""
+    """Return the function that moves the ground, or None if the ground does not move.
+
+    The function must be called in every tick with the time since the end of the quiet phase [s].
+    """
     if not condition.ground_moves:
         return None
     displacement = (

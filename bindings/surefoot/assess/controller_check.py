@@ -1,4 +1,4 @@
-"""Check of a controller's commands, and the failure that it raises."""
+"""Check of a controller's commands, and the exception for a controller that fails."""
 
 from __future__ import annotations
 
@@ -12,16 +12,19 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 
 ControlFunction = Callable[[LowState], LowCmd]
 _MOTOR_FIELDS = ("q", "dq", "tau", "Kp", "Kd")
-# Skips the header of a LowCmd and reads q, dq, tau, Kp, Kd of its twelve motors.
+# This layout skips the header of a LowCmd and reads q, dq, tau, Kp, Kd of its twelve motors.
 _MOTOR_VALUES = struct.Struct("<22x" + MOTOR_COUNT * "x5f12x")
 
 
 class ControllerFailure(Exception):
-    """A controller raised an exception or returned no finite LowCmd; the text has the reason."""
+    """A controller raised an exception, or did not return a LowCmd with finite values.
+
+    The text of the exception has the reason.
+    """
 
 
 def checked_controller(act: ControlFunction) -> ControlFunction:
-    """Return a controller that raises ControllerFailure for exceptions and invalid commands."""
+    """Wrap a controller: turn its exceptions and its invalid commands into ControllerFailure."""
 
     def call(state: LowState) -> LowCmd:
         try:
@@ -39,7 +42,7 @@ def checked_controller(act: ControlFunction) -> ControlFunction:
 
 def _check_finite(command: LowCmd) -> None:
     values = _MOTOR_VALUES.unpack_from(command.raw.data)
-    # A double sum of float32 values propagates NaN and infinity and cannot overflow.
+    # The sum in double precision propagates NaN and infinity; float32 values cannot overflow it.
     if math.isfinite(sum(values)):
         return
     bad_index = next(k for k, value in enumerate(values) if not math.isfinite(value))
@@ -55,6 +58,6 @@ def _type_and_shape(value: Any) -> str:
 
 
 def exception_text(problem: BaseException) -> str:
-    """Return an exception as one line of text."""
+    """Return the type and the message of an exception as one line of text."""
     text = " ".join(str(problem).split())
     return f"{type(problem).__name__}: {text}" if text else type(problem).__name__

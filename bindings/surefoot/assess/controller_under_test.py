@@ -25,10 +25,10 @@ from surefoot.robot.gain_files import gains_from_values
 ControllerFactory = Callable[..., Any]
 REFERENCE_CONTROLLERS = ("pd", "force_qp")
 BUILT_IN_CONTROLLERS = ("surefoot", *REFERENCE_CONTROLLERS)
-# [s] shorter delays are not predicted. Derived: two periods (4 ms) and 5 ms of latency, with 0.5 ms
-# for the rounding to whole milliseconds. Chosen for small delays: prediction amplifies noise.
+# [s] Largest delay over which "surefoot" does not predict, because prediction amplifies noise.
+# Derived: two control periods (4 ms), a latency of 5 ms, and 0.5 ms of rounding.
 _MIN_PREDICTED_DELAY = 0.0095
-_MAX_PREDICTED_DELAY = 0.05  # [s] limit of StandOptions.delay
+_MAX_PREDICTED_DELAY = 0.05  # [s] upper limit of StandOptions.delay
 
 
 @dataclass(frozen=True)
@@ -36,11 +36,12 @@ class ControllerUnderTest:
     """A controller that can be constructed again in any process.
 
     Attributes:
-        name: One of BUILT_IN_CONTROLLERS, or MODULE:CALLABLE; with a factory, any other name.
-        gains: All gains by name, for "surefoot" only; empty for the robot's own gains.
-        factory: Called with the surefoot.Robot, and with delay= if it has that parameter. Returns a
-            callable LowState -> LowCmd, or an object with such a method update(). None: `name`
-            selects the factory.
+        name: One of BUILT_IN_CONTROLLERS, or MODULE:CALLABLE. If `factory` is set: any name that is
+            not built in.
+        gains: All gains by name, only for "surefoot"; empty: the robot's own gains.
+        factory: Function that constructs the controller. Its argument is the surefoot.Robot, and
+            also delay=, if it has this parameter. It returns a callable LowState -> LowCmd, or an
+            object whose method update() is such a callable. None: `name` selects the factory.
     """
 
     name: str = "surefoot"
@@ -67,10 +68,13 @@ class ControllerUnderTest:
 
         Args:
             robot: Model of the robot.
-            delay: Delay from a measurement to the action of the command made from it [s].
+            delay: Delay from a measurement until the resulting command acts [s].
+
+        Returns:
+            The controller, with the checks of checked_controller().
 
         Raises:
-            ControllerFailure: The factory raised an exception, or returned no controller.
+            ControllerFailure: The factory raised an exception, or did not return a controller.
         """
         factory = self.factory or find_factory(self)
         try:
@@ -79,7 +83,7 @@ class ControllerUnderTest:
         except BaseException as problem:
             raise ControllerFailure(f"the factory threw {exception_text(problem)}") from None
         act = getattr(controller, "update", controller)
-        # A dict has an update() that is no controller.
+        # A dict has a method update(), but this method is not a controller.
         if isinstance(controller, dict) or not callable(act):
             raise ControllerFailure(
                 f"the factory returned {type(controller).__name__}, expected a callable"
@@ -106,14 +110,14 @@ def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactor
             f"controller: got '{name}', expected {', '.join(BUILT_IN_CONTROLLERS)} "
             "or module:callable"
         )
-    if os.getcwd() not in sys.path:  # as python -m does
+    if os.getcwd() not in sys.path:  # `python -m` adds the working directory too
         sys.path.insert(0, os.getcwd())
     try:
         with redirect_stdout(sys.stderr):
             target: Any = importlib.import_module(module)
         for part in path.split("."):
             target = getattr(target, part)
-    except (TimeLimitExceeded, KeyboardInterrupt):  # not errors of the controller
+    except (TimeLimitExceeded, KeyboardInterrupt):  # these are not errors of the controller
         raise
     except BaseException as problem:
         raise Error(f"controller '{name}': {exception_text(problem)}") from None
@@ -128,10 +132,10 @@ def make_stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -
 
     Args:
         robot: Model of the robot.
-        delay: Delay from a measurement to the action of the command made from it [s].
-        gains: All gains by name; empty for the robot's own gains.
+        delay: Delay from a measurement until the resulting command acts [s].
+        gains: All gains by name; empty: the robot's own gains.
     """
-    # Prediction amplifies sensor noise, which costs more than a delay of a few ticks.
+    # Over a few ticks, the amplified sensor noise of a prediction costs more than the delay.
     options = StandOptions(
         delay=min(delay, _MAX_PREDICTED_DELAY) if delay > _MIN_PREDICTED_DELAY else 0.0
     )

@@ -1,4 +1,4 @@
-"""Films of failures: the worst pushes and the first failed stands, run again with a renderer."""
+"""Films of failures: runs the worst pushes and the first failed stands again, with a renderer."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from surefoot.assess.worker_pool import run_work
 from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 
-# Chosen for the size of a report; FRAME_PERIOD is that of `surefoot stand`.
-MAX_FILMS = 6  # greatest number of films in a report
-FRAME_PERIOD = 0.08  # [s] between frames
+# Chosen for the size of a report; `surefoot stand` has the same FRAME_PERIOD.
+MAX_FILMS = 6  # largest number of films in a report
+FRAME_PERIOD = 0.08  # [s] time between frames
 WIDTH, HEIGHT = 480, 360  # [px]
 
 
@@ -36,8 +36,8 @@ class FilmUnit:
     """A run to be filmed.
 
     Attributes:
-        unit: Unit whose run failed.
-        level: Impulse of a push in percent of its push limit; unused for a stand.
+        unit: Unit that contains the failed run.
+        level: Impulse of the failed push in percent of the push limit; unused for a stand.
         file: Path of the film.
         caption: Caption of the film.
     """
@@ -46,27 +46,32 @@ class FilmUnit:
     level: float
     file: str
     caption: str
-    deadline_factor: ClassVar[float] = 20.0  # chosen: rendering without a graphics card is slow
+    # Chosen: rendering without a graphics card is slow.
+    deadline_factor: ClassVar[float] = 20.0
 
     @property
     def key(self) -> str:
-        """Name of the unit."""
+        """Name of the unit in the results of run_work()."""
         return f"film | {self.caption}"
 
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run the unit again and write the film; an error of the graphics is a result too."""
+        """Run the unit again and write its film.
+
+        Returns:
+            {"film": file name}, or {"broken": reason} if rendering fails.
+        """
         try:
             film = _FilmRecorder()
-            with suppress(ControllerFailure):  # the film shows this failure
+            with suppress(ControllerFailure):  # the film shows the run until this failure
                 if isinstance(self.unit, PushUnit):
                     self.unit.simulate(source, controller_under_test, self.level, film.on_tick)
                 else:
                     self.unit.simulate(source, controller_under_test, film.on_tick)
             film.save(Path(self.file))
         except Exception as problem:
-            # Graphics drivers raise errors of many types; the report must not fail with them.
+            # Graphics drivers raise errors of many types; the report must not fail because of them.
             return {"broken": f"no film: {type(problem).__name__}: {problem}"}
         return {"film": Path(self.file).name}
 
@@ -107,12 +112,12 @@ def make_films(
     Args:
         settings: Settings of the assessment.
         limits: Push limits of the robot.
-        results: Results of the controller's units, by key.
+        results: Results of the controller's units, by unit key.
         folder: Folder of the report; created if missing.
 
     Returns:
-        One entry for each film: "caption", and either "film", the file name, or "broken", the
-        reason why there is none.
+        One dict per film, at most MAX_FILMS. Key "caption": the caption. Key "film": the file name;
+        if there is no film, key "broken" instead: the reason.
     """
     folder.mkdir(parents=True, exist_ok=True)
     units = list(films_of_failures(settings, limits, results, folder))[:MAX_FILMS]
@@ -134,7 +139,7 @@ def make_films(
 def films_of_failures(
     settings: AssessSettings, limits: PushLimits, results: UnitResults, folder: Path
 ) -> Iterator[FilmUnit]:
-    """Yield the worst push of each criterion, then the first failed stand of each condition."""
+    """Yield the worst failed push of each criterion, then the first failed stand per condition."""
     pushes = [u for u in plan.push_units(settings.card, limits) if "rows" in results[u.key]]
     summary_units = [
         unit for unit in pushes if (unit.duration, unit.push_height) == settings.card.summary_push

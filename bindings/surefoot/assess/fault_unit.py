@@ -25,7 +25,8 @@ class FaultUnit:
     """
 
     cell: str
-    deadline_factor: ClassVar[float] = 20.0  # chosen: a cell gets up first, one heartbeat in all
+    # Chosen: the robot of a cell first gets up, and the whole cell sends only one heartbeat.
+    deadline_factor: ClassVar[float] = 20.0
 
     @property
     def key(self) -> str:
@@ -35,7 +36,7 @@ class FaultUnit:
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run the cell and return its verdict as JSON values."""
+        """Run the cell; return its row, its verdict and the verdict's reason as JSON values."""
         setup = _setup(source)
         if controller_under_test.gains:
             setup = replace(setup, make_supervisor=_supervisor_factory(controller_under_test.gains))

@@ -1,4 +1,4 @@
-"""Rolling of ball feet: the motion of a foot centre without slip."""
+"""Rolling of ball feet: the part of a foot centre's motion that rolling without slip causes."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from surefoot.geometry.rotations import Array
 def remove_rolling(
     feet: Array, attitudes: Array, loaded: npt.NDArray[np.bool_], radius: float, normal: Array
 ) -> Array:
-    """Return foot positions without the motion that rolling causes: only slides and lifts remain.
+    """Subtract rolling from the motion of foot centres, so that only slides and lifts remain.
 
-    A ball that rotates by a small vector phi on the ground without slip moves its centre by
-    radius phi x normal. A leg that follows a swaying body rotates its foot by about 0.2 rad, which
-    moves the centre by millimetres without slip. A foot in the air does not roll.
+    When a ball rotates on the ground by a small vector phi without slip, its centre moves by
+    radius phi x normal. When the body sways, the legs rotate the feet by about 0.2 rad. This moves
+    the foot centres by millimetres, although no foot slips. A foot in the air does not roll.
 
     Args:
         feet: (n, feet, 3) foot centres in the world frame [m].
         attitudes: (n, feet, 4) orientations of the foot bodies, quaternions w x y z.
-        loaded: (n, feet) True where the foot is loaded.
+        loaded: (n, feet) True if the foot is loaded.
         radius: Radius of the feet [m].
-        normal: (3,) ground normal, unit vector, upwards.
+        normal: (3,) unit vector of the ground normal in the world frame, upwards.
 
     Returns:
-        (n, feet, 3) positions that equal `feet` in row 0 [m].
+        (n, feet, 3) foot positions without rolling in the world frame [m]; row 0 equals `feet`.
     """
     before, after = attitudes[:-1], attitudes[1:]
     # For a small rotation, twice the vector part of after * conj(before) is the rotation vector.

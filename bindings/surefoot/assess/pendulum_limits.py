@@ -1,14 +1,14 @@
 """Largest impulses that a linear inverted pendulum (LIP) survives without a step.
 
-Model: mass m at height h, w = sqrt(g / h). A force F acts for a time T at `push_height` a above the
-centre of mass and pushes the LIP from x = 0 towards the support edge at x = d. The body does not
-rotate, so the ground must balance the moment a F of the push as well:
+Model: a mass m at height h, with w = sqrt(g / h). A force F acts for a time T, at the distance a
+(`push_height`) above the centre of mass. F pushes the LIP from x = 0 towards the support edge at
+x = d. The body does not rotate, so the ground must also balance the moment a F of the push:
 
     force of the ground against the push:  b = (m g (p - x) - a F) / h,    p <= d,    b <= B
 
-Here p is the centre of pressure, and B is the limit by friction (mu m g) or by the motors. The LIP
-survives if its capture point is inside the edge once it can only brake. Braking with the largest b
-is optimal, because the bound on b decreases with x.
+Here p is the centre of pressure, and B is the largest force that friction (mu m g) or the motors
+allow. The LIP survives if its capture point can be kept inside the support edge. Braking with the
+largest b is optimal, because the bound on b decreases with x.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 from surefoot.sim.lip_push_limit import GRAVITY, max_lip_impulse
 
-_BISECTIONS = 60  # numerical: more halvings than the 53 bits of a double
+_BISECTIONS = 60  # number of halvings. Numerical: more than the 53 bits of a double
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Pendulum:
 
 
 def lip_impulse(pendulum: Pendulum, duration: float, push_height: float = 0.0) -> float:
-    """Return the LIP push limit [N.s]; friction and motors have no limits.
+    """Return the LIP push limit J [N.s], without the limits of friction and motors.
 
     J = m w d (w T) / (1 - exp(-w T)) * h / (h + a)
 
@@ -54,10 +54,10 @@ def lip_impulse(pendulum: Pendulum, duration: float, push_height: float = 0.0) -
 def force_limited_impulse(
     pendulum: Pendulum, max_brake_force: float, duration: float, push_height: float = 0.0
 ) -> float:
-    """Return the largest impulse that is survived with a ground force of at most B [N.s].
+    """Return the largest impulse [N.s] that the LIP survives with a ground force of at most B [N].
 
-    For T -> 0 and a = 0 the result is m sqrt(mu g (2 d - mu h)) with mu = B / (m g) < d / h. If B
-    never limits the braking, the result is lip_impulse(). Found by bisection.
+    For T -> 0, a = 0 and mu = B / (m g) < d / h, the result is m sqrt(mu g (2 d - mu h)). If B
+    never limits the braking, the result is lip_impulse(). The function uses bisection.
 
     Args:
         pendulum: Pendulum that is pushed.
@@ -82,13 +82,15 @@ def _survives(
     p: Pendulum, max_brake_force: float, force: float, duration: float, push_height: float
 ) -> bool:
     x, v = _state_after_push(p, max_brake_force, force, duration, push_height)
-    most = max_brake_force / p.mass  # [m/s^2] largest deceleration by B
+    most = max_brake_force / p.mass  # [m/s^2] largest deceleration that B allows
     w2 = GRAVITY / p.com_height
-    x_switch = p.edge_distance - most / w2  # [m] beyond it the edge limits braking, before it B
+    # [m] B limits the braking at smaller x, the support edge at larger x.
+    x_switch = p.edge_distance - most / w2
     if x >= x_switch:
-        # 1e-12: rounding must not turn the exact LIP push limit into a fall.
+        # The factor 1 + 1e-12 lets the exact LIP push limit survive despite rounding.
         return v <= math.sqrt(w2) * (p.edge_distance - x) * (1.0 + 1e-12)
-    # Braking by B to x_switch must leave no more speed than the edge can brake: w (d - x_switch).
+    # The LIP brakes with B up to x_switch. There its speed may be at most w (d - x_switch), the
+    # highest speed that the support edge allows it to brake.
     return v**2 - 2.0 * most * (x_switch - x) <= most**2 / w2
 
 
@@ -106,7 +108,7 @@ def _state_after_push(
             return 0.0, 0.0
         time = min(time_left, math.sqrt(2.0 * x_switch / a))
         x, v, time_left = 0.5 * a * time**2, a * time, time_left - time
-    # With the centre of pressure at the edge: x'' = w^2 (x - d) + (1 + a / h) F / m.
+    # From here on the centre of pressure is at the edge: x'' = w^2 (x - d) + (1 + a / h) F / m.
     w = math.sqrt(w2)
     equilibrium = p.edge_distance - (1.0 + push_height / p.com_height) * force / (p.mass * w2)
     c, s = math.cosh(w * time_left), math.sinh(w * time_left)

@@ -1,4 +1,4 @@
-"""Plan of an assessment: the units of work of a scorecard, in the order of their runs."""
+"""Plan of an assessment: the units of work of a scorecard, in the order in which they run."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from surefoot.assess.work_units import PushUnit, StandUnit
 from surefoot.assess.worker import WorkItem
 from surefoot.faults import choose_cells
 
-# [%] of the push limit: finest step of all but STANDARD_PUSH sweeps, which are most of a full
-# scorecard. Chosen: it and other measures shortened the full scorecard by a sixth.
+# [%] of the push limit: finest step of the sweeps of all pushes other than STANDARD_PUSH. Most
+# sweeps of a full scorecard are of this kind. Chosen: this step, with other measures, shortened
+# the full scorecard by a sixth.
 OTHER_FINEST_STEP = 5.0
-BRIEF_CELLS = ("*/standing",)  # fault matrix cells of "brief"
+BRIEF_CELLS = ("*/standing",)  # patterns of the fault matrix cells that faults = "brief" runs
 
 
 def planned_work(settings: AssessSettings, limits: PushLimits) -> Iterator[WorkItem]:
@@ -58,7 +59,7 @@ def push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
 def condition_push_units(
     card: Scorecard, condition: Condition, limits: PushLimits
 ) -> list[PushUnit]:
-    """Return the pushes under a further condition; empty if it has none."""
+    """Return the pushes under a further condition; empty if the condition has no pushes."""
     if not condition.pushes or condition == card.conditions[0]:
         return []
     seeds = card.seed_range(card.condition_seeds)
@@ -68,7 +69,7 @@ def condition_push_units(
 
 
 def reference_push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
-    """Return the pushes of the reference controllers: those that the summary uses."""
+    """Return the pushes of each reference controller: only the pushes that the summary uses."""
     return _push_units_around(
         card.conditions[0],
         card.directions_deg,
@@ -88,7 +89,10 @@ def stand_units(card: Scorecard, condition: Condition) -> list[StandUnit]:
 
 
 def fault_units(settings: AssessSettings) -> list[FaultUnit]:
-    """Return the fault matrix cells; they test the Supervisor, so only "surefoot" has them."""
+    """Return the fault matrix cells; empty for other controllers than "surefoot".
+
+    The cells test the Supervisor, which only "surefoot" has.
+    """
     if settings.card.faults == "none" or settings.controller_under_test.name != "surefoot":
         return []
     patterns = BRIEF_CELLS if settings.card.faults == "brief" else ()
@@ -96,7 +100,7 @@ def fault_units(settings: AssessSettings) -> list[FaultUnit]:
 
 
 def reference_controllers(settings: AssessSettings) -> list[ControllerUnderTest]:
-    """Return the reference controllers of the scorecard, without the controller under test."""
+    """Return the reference controllers of the scorecard, except the controller under test."""
     if not settings.card.references:
         return []
     return [

@@ -1,4 +1,4 @@
-"""Polar plots of a scorecard: push results against direction."""
+"""Polar plots of a scorecard: push results over push direction."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ def _draw_references(card: dict[str, Any]) -> Figure:
 def _polar_axes(figure: Figure, rows: int, columns: int, index: int) -> PolarAxes:
     ax = figure.add_subplot(rows, columns, index + 1, projection="polar")
     assert isinstance(ax, PolarAxes)
-    ax.set_theta_zero_location("N")  # forward is up, left is left
-    ax.set_rlabel_position(60.0)  # [deg] angle where the curves leave room
+    ax.set_theta_zero_location("N")  # the forward direction points up in the plot, left to the left
+    ax.set_rlabel_position(60.0)  # [deg] angle at which the curves leave room for the labels
     return ax
 
 

@@ -1,4 +1,4 @@
-"""Push limits in one direction: LIP limit, quasi-static limit, and the smaller of both."""
+"""Push limits in one direction: LIP push limit, quasi-static push limit, and the smaller one."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from surefoot.assess.pendulum_limits import Pendulum, force_limited_impulse, lip
 from surefoot.assess.quasi_static import quasi_static_force
 from surefoot.assess.stance_model import StanceModel, stance_model
 
-# Greatest depth of a push below the centre of mass, over its height. Chosen: the limits grow with
-# h / (h + a), and a push near the ground does not tip the robot. The scorecard's -0.1 m is a third.
+# Largest distance of a push below the centre of mass, as a share of the centre of mass's height h.
+# Chosen: the push limits grow with h / (h + a), and a push near the ground does not tip the robot.
+# The lowest push of the scorecard, a = -0.1 m, has a share of about a third.
 MIN_HEIGHT_SHARE = 0.75
 
 
@@ -22,7 +23,8 @@ class PushLimit:
     Attributes:
         lip: LIP push limit [N.s]; it ignores the limits of friction and motors.
         quasi_static_force: Largest static force that friction and motors can balance [N].
-        quasi_static: Limit of a LIP whose ground reaction is at most that force [N.s].
+        quasi_static: Largest impulse that a LIP survives if its horizontal ground force is at most
+            `quasi_static_force` [N.s].
     """
 
     lip: float
@@ -77,13 +79,23 @@ class PushLimits:
         self._cache: dict[tuple[float, ...], PushLimit] = {}
 
     def true_mass(self, condition: Condition) -> float:
-        """Return the true mass of the robot under a condition, payload included [kg]."""
+        """Return the true mass of the robot under a condition, including the payload [kg]."""
         return (1.0 + condition.mass_share + condition.payload_share) * self.stance.mass
 
     def push_limit(
         self, condition: Condition, direction_deg: float, duration: float, push_height: float
     ) -> PushLimit:
-        """Return the limits of a push with the friction and the true mass of a condition."""
+        """Return the limits of a push, for the friction and the true mass of a condition.
+
+        Args:
+            condition: Condition under which the push acts.
+            direction_deg: Direction of the push, from forward towards left [deg].
+            duration: Duration of the push [s].
+            push_height: Height of the line of action above the centre of mass [m].
+
+        Raises:
+            Error: As in the function push_limit().
+        """
         mass = self.true_mass(condition)
         key = (direction_deg, duration, push_height, condition.friction, mass)
         if key not in self._cache:

@@ -10,11 +10,12 @@ import numpy as np
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.geometry.rotations import Array
 
-# Protocol of docs/assess.md, chosen by hand. Times: 15 and 10 time constants of the LIP (0.2 s);
-# above: run time. Feet and pose: above what noise and soft contacts move (0.1 mm, 0.05 deg).
-SURVIVAL_TIME = 3.0  # [s] after the end of a push: a robot that does not fall until then survived
-RETURN_TIME = 2.0  # [s] after the end of a push: from then on the body must be back in its pose
-MAX_FOOT_TRAVEL = 0.01  # [m] tolerance of a foot's slide or lift, without its rolling
+# Protocol of docs/assess.md, chosen. The times are 15 and 10 time constants of the LIP (0.2 s);
+# longer times only cost run time. The tolerances exceed the motions that noise and soft contacts
+# cause (0.1 mm, 0.05 deg).
+SURVIVAL_TIME = 3.0  # [s] time after the end of a push without a fall that counts as survived
+RETURN_TIME = 2.0  # [s] time after the end of a push at which the body must be back in its pose
+MAX_FOOT_TRAVEL = 0.01  # [m] tolerance of a foot's slide or lift; rolling does not count
 RETURN_DISTANCE = 0.01  # [m] tolerance of the base position after RETURN_TIME
 RETURN_ANGLE = 2.0  # [deg] tolerance of the base attitude after RETURN_TIME
 
@@ -24,12 +25,14 @@ class PushOutcome:
     """Outcome of one push.
 
     Attributes:
-        survived: The robot stays upright for SURVIVAL_TIME and only feet touch the ground.
-        in_place: Survived, no foot moved by more than MAX_FOOT_TRAVEL, and from RETURN_TIME on the
-            base is within RETURN_DISTANCE and RETURN_ANGLE of its pose before the push.
+        survived: True if the robot stays upright for SURVIVAL_TIME and only feet touch the ground.
+        in_place: True if the robot survived, no foot moved by more than MAX_FOOT_TRAVEL, and after
+            RETURN_TIME the base stays within RETURN_DISTANCE and RETURN_ANGLE of its pose before
+            the push.
         foot_mm: Largest slide or lift of a foot [mm]; None if the controller failed.
-        return_error_mm: Largest base position error from RETURN_TIME on [mm]; None after a fall.
-        return_error_deg: Largest base attitude error from RETURN_TIME on [deg]; None after a fall.
+        return_error_mm: Largest base position error after RETURN_TIME [mm]; None if the robot fell
+            or the controller failed.
+        return_error_deg: Largest base attitude error after RETURN_TIME [deg]; None as above.
     """
 
     survived: bool
@@ -42,18 +45,19 @@ class PushOutcome:
 FAILED_OUTCOME = PushOutcome(
     survived=False, in_place=False, foot_mm=None, return_error_mm=None, return_error_deg=None
 )
-"""Outcome of a push during which the controller failed."""
+"""Outcome of a push in which the controller failed."""
 
 
 def judge_push(trajectory: TrueTrajectory, push_time: float, duration: float) -> PushOutcome:
-    """Judge a run with one push.
+    """Return the outcome of a run with one push.
 
     Args:
-        trajectory: True motion until SURVIVAL_TIME after the push, or until the fall.
+        trajectory: True motion until SURVIVAL_TIME after the end of the push, or until the fall.
         push_time: Time at which the push begins [s].
         duration: Duration of the push [s].
     """
-    first = min(round(push_time * trajectory.rate), len(trajectory.base) - 1)  # it may fall earlier
+    # Row at the start of the push; the last row if the robot fell before the push.
+    first = min(round(push_time * trajectory.rate), len(trajectory.base) - 1)
     feet = np.linalg.norm(
         trajectory.feet_without_roll[first:] - trajectory.feet_without_roll[first], axis=2
     )
@@ -78,5 +82,10 @@ def attitude_angles(q: Array, reference: Array) -> Array:
 
 
 def run_duration(push_time: float, duration: float) -> float:
-    """Return the duration of a run with a push [s], rounded up to whole milliseconds."""
+    """Return the duration of a run with a push [s], rounded up to whole milliseconds.
+
+    Args:
+        push_time: Time at which the push begins [s].
+        duration: Duration of the push [s].
+    """
     return math.ceil(1e3 * (push_time + duration + SURVIVAL_TIME)) / 1e3

@@ -13,8 +13,8 @@ from surefoot.assess.sweep import Sweep, rows_to_sweep
 from surefoot.assess.work_units import PushUnit
 
 CRITERIA = {"survive": "survived", "strict": "in_place"}
-# Least number of seeds for a 5th percentile; with fewer it is the minimum. Derived: 1 / 0.05, one
-# seed below it.
+# Smallest number of seeds for a 5th percentile; for fewer seeds the statistic is the minimum.
+# Derived: 1 / 0.05, the number of seeds of which one is 5 %.
 MIN_PERCENTILE_SEEDS = 20
 
 UnitResults = Mapping[str, dict[str, Any]]
@@ -53,7 +53,7 @@ def summary_table(tables: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def statistic(seeds: int) -> str:
-    """Return the name of the statistic over seeds."""
+    """Return the name of the statistic that low_percentile() computes over a number of seeds."""
     if seeds >= MIN_PERCENTILE_SEEDS:
         return f"5th percentile of {seeds} seeds"
     return f"minimum of {seeds} seeds" if seeds > 1 else "1 seed"
@@ -91,7 +91,7 @@ def _row(units: list[PushUnit], limits: PushLimits, unit_results: UnitResults) -
     unit = units[0]
     limit = limits.push_limit(unit.condition, unit.direction_deg, unit.duration, unit.push_height)
     results = [unit_results[one.key] for one in units]
-    # A unit without a sweep counts as one that survived no push.
+    # A unit without a sweep counts as a unit that survived no push.
     sweeps = [rows_to_sweep(result["rows"]) if "rows" in result else Sweep() for result in results]
     row: dict[str, Any] = {
         "degrees": unit.direction_deg,

@@ -12,18 +12,19 @@ from surefoot.assess.stance_model import StanceModel, direction_vector
 from surefoot.geometry.rotations import Array
 from surefoot.sim.lip_push_limit import GRAVITY
 
-# Edges of the pyramid inside a friction cone; one is along the push. Chosen: it loses at most
-# 1 - cos(pi / 16) = 1.9 % of the cone across the push, nothing along it.
+# Number of edges of the pyramid that replaces a friction cone; one edge points along the push.
+# Chosen: along the push the pyramid is as wide as the cone, elsewhere narrower by at most
+# 1 - cos(pi / 16) = 1.9 %.
 CONE_EDGES = 16
 
 
 def quasi_static_force(stance: StanceModel, direction_deg: float, friction: float) -> float:
     """Compute the largest horizontal force at the centre of mass that allows equilibrium [N].
 
-    Solves a linear program over this force F and the contact forces f of the four feet. Forces and
-    moments about the centre of mass balance, f is inside the friction cones, and the joint torques
-    |g - J' f| are within the motor limits at rest. Without friction and torque limits the result
-    is m g d / h.
+    Solves a linear problem over this force F and the contact forces f of the four feet. Its
+    constraints: forces and moments about the centre of mass balance, f is inside the friction
+    cones, and the joint torques |g - J' f| are within the motor limits at rest. Without the limits
+    of friction and torque the result would be m g d / h.
 
     Args:
         stance: Model of the standing robot.
@@ -64,6 +65,6 @@ def quasi_static_force(stance: StanceModel, direction_deg: float, friction: floa
 
 
 def _rays(direction_deg: float, friction: float) -> Array:
-    """Return the edges (3, CONE_EDGES) of a pyramid inside the friction cone."""
+    """Return the edges (3, CONE_EDGES) of a pyramid inside the friction cone, with z = 1."""
     angles = math.radians(direction_deg) + 2.0 * math.pi * np.arange(CONE_EDGES) / CONE_EDGES
     return np.array([friction * np.cos(angles), friction * np.sin(angles), np.ones(CONE_EDGES)])

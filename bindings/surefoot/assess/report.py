@@ -22,12 +22,16 @@ _STYLE = """<style>
 
 
 def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Path:
-    """Write the report into a folder and return the path of its page; raises OSError.
+    """Write the report into a folder and return the path of its page.
 
     Args:
-        card: Scorecard that run_assess() returned; its films are in the folder already.
+        card: Scorecard that run_assess() returned. run_assess() must have written its films into
+            `folder`.
         folder: Target folder; created if missing.
-        command: Command line that started the run.
+        command: Command line that started the run; the page shows it.
+
+    Raises:
+        OSError: A file cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(card, indent=2, allow_nan=False)

@@ -35,7 +35,7 @@ def push_table_html(table: dict[str, Any], name: str) -> str:
 
 
 def conditions_html(card: dict[str, Any]) -> str:
-    """Return the table of conditions as HTML; empty if there are none."""
+    """Return the table of conditions as HTML; "" if the scorecard has no conditions."""
     if not card["conditions"]:
         return ""
     header = ["condition", "stood", "passed", "tilt [deg]", "height [mm]", "feet [mm]"]
@@ -60,7 +60,7 @@ def conditions_html(card: dict[str, Any]) -> str:
 
 
 def faults_html(card: dict[str, Any]) -> str:
-    """Return the table of faults as HTML; empty if none were injected."""
+    """Return the table of faults as HTML; "" if no faults were injected."""
     faults = card["faults"]
     if faults is None:
         return ""
@@ -75,7 +75,7 @@ def faults_html(card: dict[str, Any]) -> str:
 def _table_html(
     title: str, text: str, header: Sequence[str], rows: Sequence[Sequence[tuple[str, str]]]
 ) -> str:
-    """Return a page section with a table; each cell of `rows` is (text, CSS class)."""
+    """Return a page section with a table as HTML; each cell of `rows` is (text, CSS class)."""
     header_cells = "".join(f"<td><b>{escape(word)}</b></td>" for word in header)
     body = "".join(
         "<tr>" + "".join(f'<td class="{kind}">{escape(cell)}</td>' for cell, kind in row) + "</tr>"

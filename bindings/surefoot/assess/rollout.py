@@ -16,21 +16,22 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 from surefoot.sim.truth import has_fallen
 
-_LOSS_STREAM = 17  # random stream of frame losses, any but the plant's streams 0 .. 3
+_LOSS_STREAM = 17  # number of the random stream for frame losses; the plant uses streams 0 .. 3
 
 TickCallback = Callable[[Plant, int], None]
-"""Called with the plant and the tick number."""
+"""Function that receives the plant and the number of the tick."""
 
 
 @dataclass(frozen=True)
 class TrueTrajectory:
-    """True motion of a run. Row 0 is the initial state; then one row for each control period.
+    """True motion of a run. Row 0 is the initial state; every control period adds one row.
 
     Attributes:
         base: (n, 7) world position [m] and quaternion w x y z of the base.
         feet: (n, 4, 3) centres of the foot spheres in the world frame [m].
-        feet_without_roll: (n, 4, 3) the same without rolling motion: slides and lifts only [m].
-        fall_tick: Index of the last row, in which the robot had fallen; None without a fall.
+        feet_without_roll: (n, 4, 3) `feet` without the motion of rolling: only slides and lifts
+            [m].
+        fall_tick: Index of the last row if the robot has fallen in it; None if it did not fall.
         rate: Rows per second [Hz].
     """
 
@@ -48,20 +49,23 @@ def roll_out(
     duration: float,
     on_tick: TickCallback | None = None,
 ) -> TrueTrajectory:
-    """Run a controller on a plant after plant.reseed().
+    """Run a controller on a plant. The caller must call plant.reseed() first.
 
-    When a LowState frame is lost, the controller receives the previous sample again, as from the
-    SDK's GetRecv(). When a LowCmd frame is lost, the motors keep the previous command.
+    When a LowState frame is lost, the controller receives the previous sample again, as GetRecv()
+    of the SDK would return it. When a LowCmd frame is lost, the motors keep the previous command.
 
     Args:
-        plant: Plant of the condition; it is reset first.
-        condition: Condition; its frame losses and ground motion are applied here.
+        plant: Plant of the condition; this function resets the plant.
+        condition: Condition of the run; this function applies its frame losses and ground motion.
         act: Controller, LowState -> LowCmd.
         duration: Duration of the run [s].
-        on_tick: Called in every tick with the plant in the state before its step.
+        on_tick: Function that is called in every tick, before the step of the plant.
+
+    Returns:
+        The true motion until the end of the run or until the fall.
 
     Raises:
-        ControllerFailure: The controller raised an exception or returned no finite LowCmd.
+        ControllerFailure: The controller failed; see the class.
     """
     ticks = round(duration * plant.settings.control_rate)
     lost = _lost_frames(condition, plant.settings.seed, ticks)
@@ -90,7 +94,7 @@ def roll_out(
 
 
 class _TrajectoryRecorder:
-    """Arrays for the true motion of a run, filled row by row."""
+    """Arrays for the true motion of a run; record() fills one row of each array."""
 
     def __init__(self, plant: Plant, rows: int) -> None:
         self._plant = plant
@@ -102,14 +106,14 @@ class _TrajectoryRecorder:
         """Write the plant's state into a row."""
         data, handles = self._plant.data, self._plant.handles
         self._base[row] = data.qpos[:7]
-        # take() with out= is four times as fast as indexing, and this runs in every tick. The mode
-        # "clip" is safe because the indices are in range; the mode "raise" would copy first.
+        # This runs in every tick, and take() with `out` is four times as fast as indexing. The mode
+        # "clip" is safe because all indices are in range; the mode "raise" would make a copy.
         data.xpos.take(handles.foot_bodies, 0, self._feet[row], "clip")
         data.xquat.take(handles.foot_bodies, 0, self._attitudes[row], "clip")
         data.sensordata.take(handles.foot_forces, None, self._forces[row], "clip")
 
     def trajectory(self, rows: int, fall_tick: int | None) -> TrueTrajectory:
-        """Return the trajectory of the first rows."""
+        """Return the trajectory of the first `rows` rows."""
         normal = self._plant.handles.ground_normal
         feet = self._feet[:rows]
         feet_without_roll = remove_rolling(
@@ -124,7 +128,10 @@ class _TrajectoryRecorder:
 
 
 def _lost_frames(condition: Condition, seed: int, ticks: int) -> np.ndarray:
-    """Return a mask (2, ticks) of lost LowStates (row 0) and LowCmds (row 1); tick 0 has none."""
+    """Return a mask (2, ticks): True if the LowState (row 0) or LowCmd (row 1) of a tick is lost.
+
+    In tick 0 no frame is lost.
+    """
     if condition.loss_percent == 0.0:
         return np.zeros((2, ticks), dtype=np.bool_)
     rng = np.random.default_rng([seed, _LOSS_STREAM])

@@ -1,4 +1,4 @@
-"""Entry point of an assessment: run all units that the store does not have, then score them."""
+"""Entry point of an assessment: runs all units without a stored result, then scores all units."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from surefoot.assess.worker_pool import run_work
 from surefoot.files.result_store import ResultStore, open_result_store
 
 Progress = Callable[[str, int, int], None]
-"""Called with the name of the activity, the number of steps done, and their total."""
+"""Function that receives the name of an activity, the steps done, and the total of its steps."""
 
 
 def run_assess(
@@ -26,15 +26,15 @@ def run_assess(
 
     Args:
         settings: Settings of the assessment.
-        progress: Called after every unit.
-        films: Folder for films of the failures; None makes no films.
+        progress: Function that is called after every unit.
+        films: Folder for films of the failures; None: no films.
 
     Returns:
         The filled scorecard as JSON values; docs/assess.md describes its keys.
 
     Raises:
         Error: The robot, controller, scorecard or store is invalid.
-        OSError: The store cannot be written; results that it already has are kept.
+        OSError: The store cannot be written; it keeps the results written before.
     """
     robot = settings.build()
     limits = PushLimits(robot)
@@ -49,7 +49,7 @@ def run_assess(
 def _run(
     settings: AssessSettings, store: ResultStore, planned: list[WorkItem], progress: Progress | None
 ) -> None:
-    # A lost unit may be the machine's fault, so a resumed run repeats it.
+    # The machine, not the controller, may have caused a lost unit, so a resumed run repeats it.
     finished = {key for key, unit_result in store.results.items() if LOST_KEY not in unit_result}
     missing = [w for w in planned if (w.controller_under_test.name, w.unit.key) not in finished]
     done = len(planned) - len(missing)

@@ -17,7 +17,7 @@ from surefoot.files.json_values import json_value
 from surefoot.system.machine import describe_machine
 
 StoredResults = dict[tuple[str, str], dict[str, Any]]
-"""Results in the store, by controller name and unit key."""
+"""Results of all units in the store, by controller name and unit key."""
 
 
 def score(
@@ -90,7 +90,7 @@ def _condition_result(
 
 
 def _fault_result(settings: AssessSettings, unit_results: UnitResults) -> dict[str, Any] | None:
-    """Return the summary of the fault matrix; None if no cell was run."""
+    """Return the summary of the fault matrix; None if the scorecard runs no cell."""
     cells = {unit.cell: unit_results[unit.key] for unit in plan.fault_units(settings)}
     if not cells:
         return None

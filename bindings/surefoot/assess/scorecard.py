@@ -12,12 +12,12 @@ from surefoot.robot.robot_toml import read_toml, suggest
 from surefoot.robot.setting_checks import check_integer, check_numbers, check_unique
 
 NOMINAL_CONDITION = "level ground"
-# Duration [s] and height [m]: the push that scorecards share. Chosen: between an impact and the LIP
-# time constant, 0.2 s.
+# Duration [s] and height [m] of the push that all standard scorecards have. Chosen: the duration is
+# between that of an impact and the LIP time constant, 0.2 s.
 STANDARD_PUSH = (0.1, 0.0)
 # Sanity limits.
-MAX_COUNT = 1000  # greatest number of directions or seeds
-MAX_SEED = 1_000_000  # greatest first_seed
+MAX_COUNT = 1000  # largest number of directions or seeds
+MAX_SEED = 1_000_000  # largest first_seed
 _FOLDER = Path(__file__).parent
 
 
@@ -26,21 +26,23 @@ class Scorecard:
     """Pushes, conditions and seeds of an assessment.
 
     Attributes:
-        name: "full", "quick", or the stem of the file name.
-        directions: Number of push directions, evenly spaced from forward.
+        name: "full", "quick", or the file name without its extension.
+        directions: Number of push directions; evenly spaced, and the first is forward.
         lengths_s: Durations of pushes [s].
         heights_m: Heights of the lines of action above the centre of mass [m].
-        seeds: Number of runs of every push; each seed gives other sensors and motors.
+        seeds: Number of seeds of every push; the errors of sensors and motors depend on the seed.
         first_seed: First seed of pushes and stands; choose seeds that were not used for tuning.
         condition_directions: Number of directions of STANDARD_PUSH under each further condition.
-        condition_seeds: Number of seeds of those pushes and of quiet stands.
+        condition_seeds: Number of seeds of the pushes under further conditions, and of the quiet
+            stands.
         faults: Part of the fault matrix to run: "none", "brief" or "all".
-        references: True to push the reference controllers as well.
-        conditions: Conditions; the first is the nominal one, under which all pushes run.
+        references: True: the reference controllers are pushed as well.
+        conditions: Conditions. The first is the nominal condition, under which all pushes run.
     """
 
     name: str
-    # Defaults: those of full.toml. Chosen: the full scorecard of a go1 takes 2.2 h on two cores.
+    # The numbers of directions and seeds are those of full.toml. Chosen: the full scorecard of a
+    # go1 takes 2.2 h on two cores.
     directions: int = 16
     lengths_s: tuple[float, ...] = (0.1,)
     heights_m: tuple[float, ...] = (0.0,)
@@ -85,11 +87,11 @@ class Scorecard:
             )
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all fields as plain data."""
+        """Return all fields by name, as JSON values."""
         return asdict(self)
 
     def seed_range(self, count: int) -> range:
-        """Return `count` seeds from first_seed on."""
+        """Return `count` seeds; the first is first_seed."""
         return range(self.first_seed, self.first_seed + count)
 
     @property
@@ -111,12 +113,15 @@ class Scorecard:
 
 
 def summary_push(candidates: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return the duration and height for the summary: STANDARD_PUSH, or else the first."""
+    """Return duration and height of the summary's pushes: STANDARD_PUSH or the first candidate."""
     return STANDARD_PUSH if STANDARD_PUSH in candidates else candidates[0]
 
 
 def standard_scorecard(name: str) -> Scorecard:
-    """Return the scorecard "full" or "quick"; "quick" has all conditions, without their pushes."""
+    """Return the scorecard "full" or "quick".
+
+    "quick" has all conditions of "full", but without pushes under further conditions.
+    """
     card = read_scorecard(_FOLDER / f"{name}.toml", name)
     if name != "quick":
         return card
@@ -126,6 +131,10 @@ def standard_scorecard(name: str) -> Scorecard:
 
 def read_scorecard(path: str | Path, name: str | None = None) -> Scorecard:
     """Read a scorecard from a TOML file.
+
+    Args:
+        path: Path of the file.
+        name: Name of the scorecard; None: the file name without its extension.
 
     Raises:
         Error: The file cannot be read, is not valid TOML, or has an unknown key or invalid value.

@@ -6,7 +6,7 @@ from typing import Any
 
 from surefoot.assess.sweep import percent_text
 
-_WIDTH = 36  # columns: the longest condition of full.toml has 35
+_WIDTH = 36  # [characters] width of the first column; the longest name in full.toml has 35
 
 
 def assess_text(card: dict[str, Any]) -> str:

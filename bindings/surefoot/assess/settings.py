@@ -16,28 +16,30 @@ from surefoot.robot.setting_checks import check_integer, check_number
 
 # Sanity limits.
 MAX_JOBS = 256
-MAX_DEADLINE = 86400.0  # [s] a day
+MAX_DEADLINE = 86400.0  # [s] one day
 
 
 @dataclass(frozen=True)
 class AssessSettings:
-    """Settings of an assessment: robot, controller, scorecard, processes, store.
+    """Settings of an assessment: robot, controller, scorecard, processes and store.
 
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
         controller_under_test: Controller to assess.
         card: Scorecard to fill.
-        jobs: Number of worker processes. All units run in them, so no controller can stop the rest.
-        deadline: Limit of one run of a few simulated seconds [s] of wall time; a run that takes
-            longer is ended.
-        store: File that keeps results and from which a run resumes; None keeps them in memory.
+        jobs: Number of worker processes. All units run in workers, so a controller that crashes
+            does not stop the assessment.
+        deadline: Longest wall time of one run of a few simulated seconds [s]; a worker whose run
+            takes longer is killed.
+        store: File that keeps the results, so that a run can be resumed; None: in memory only.
     """
 
     robot: RobotSource = "go1"
     controller_under_test: ControllerUnderTest = field(default_factory=ControllerUnderTest)
     card: Scorecard = field(default_factory=lambda: standard_scorecard("quick"))
     jobs: int = 1
-    # Chosen: a run of 3.5 s takes 0.24 to 0.4 s (docs/assess.md); above: a worker is blocked.
+    # Chosen: far above the wall time of a run of 3.5 simulated seconds, 0.24 to 0.4 s
+    # (docs/assess.md). A longer deadline lets a controller that never returns block its worker.
     deadline: float = 60.0
     store: str | None = None
 
@@ -60,11 +62,15 @@ class AssessSettings:
             ) from None
 
     def build(self) -> Robot:
-        """Build the model of the robot; raises Error."""
+        """Build the model of the robot.
+
+        Raises:
+            Error: The robot is unknown, or its files are missing or invalid.
+        """
         return build_robot(describe_source(self.robot))
 
     def to_dict(self, robot: Robot) -> dict[str, Any]:
-        """Return the plain data that identifies a run; two runs with equal data are the same."""
+        """Return the JSON values that identify an assessment; equal values give equal results."""
         return {
             **robot_identity(describe_source(self.robot), robot),
             "controller": self.controller_under_test.name,

@@ -1,4 +1,4 @@
-"""Pinned standing pose: the pose at which all push limits of a robot are computed."""
+"""Pinned standing pose: the pose in which all push limits of a robot are computed."""
 
 from __future__ import annotations
 
@@ -17,17 +17,18 @@ UP = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True)
 class StanceModel:
-    """A robot in its standing pose on level ground: joint angles of its TOML, base level.
+    """A robot in its standing pose on level ground: base level, joint angles of its TOML.
 
-    Frame: origin on the ground (z = 0) below the base, x forward, y left, z up. Feet: FR FL RR RL.
+    All positions are in a frame with its origin on the ground (z = 0) below the base, x forward,
+    y left and z up. The feet are in leg order.
 
     Attributes:
         mass: Mass m [kg].
         com: (3,) centre of mass [m].
         contacts: (4, 3) contact points of the feet [m].
-        jacobians: (4, 3, 12) Jacobians from motor velocities to the velocity of the foot's material
-            point at the contact.
-        gravity_torque: (12,) motor torques that carry the weight of the legs alone [N.m].
+        jacobians: (4, 3, 12) Jacobians from the motor velocities to the velocity of the point of
+            each foot that touches the ground.
+        gravity_torque: (12,) motor torques that hold only the weight of the legs [N.m].
         torque_limit: (12,) motor torque limits at rest [N.m].
     """
 
@@ -44,10 +45,10 @@ class StanceModel:
         return float(self.com[2])
 
     def edge_distance(self, direction_deg: float) -> float:
-        """Return the distance from the centre of mass to the support edge, seen from above [m].
+        """Return the horizontal distance from the centre of mass to the support edge [m].
 
         Args:
-            direction_deg: Direction, from forward towards left [deg].
+            direction_deg: Direction of the distance, from forward towards left [deg].
         """
         return distance_to_edge(
             self.contacts[:, :2], self.com[:2], direction_vector(direction_deg)[:2]

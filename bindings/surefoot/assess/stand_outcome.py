@@ -11,24 +11,26 @@ from surefoot.assess.push_outcome import attitude_angles
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.stand.foot_frame import pose_in_support, rotation_angle
 
-# Protocol of docs/assess.md, chosen by hand. Below: the swing after the ground motion; above: run
-# time.
-HOLD_TIME = 4.0  # [s] of standing after the quiet phase and the ground motion
-JUDGED_TIME = 1.0  # [s] at the end of the run over which tilt and height are judged
+# Protocol of docs/assess.md, chosen: long enough for the body to stop swinging after the ground
+# motion; longer times only cost run time.
+HOLD_TIME = 4.0  # [s] time of standing after the quiet phase and the ground motion
+JUDGED_TIME = 1.0  # [s] time at the end of the run in which tilt and height are judged
 
 
 @dataclass(frozen=True)
 class StandOutcome:
-    """Outcome of a quiet stand: largest errors over the last JUDGED_TIME, from the initial pose.
+    """Outcome of a quiet stand: largest errors relative to the initial pose.
 
-    On moving ground the body may stay level or follow the ground. Tilt and height are then the
-    smaller of both errors, and foot displacements are horizontal.
+    On moving ground the body may keep its attitude or follow the ground. Tilt and height are then
+    the smaller one of both errors, and only horizontal foot displacements count.
 
     Attributes:
-        stood: True if the robot stood to the end.
-        tilt_deg: Attitude error of the body [deg]; None after a fall.
-        height_mm: Error of the body height above its feet [mm]; None after a fall.
-        foot_mm: Largest displacement of a foot over the whole run [mm].
+        stood: True if the robot did not fall.
+        tilt_deg: Largest attitude error of the base in the last JUDGED_TIME [deg]; None after a
+            fall.
+        height_mm: Largest error of the base height above the feet in the last JUDGED_TIME [mm];
+            None after a fall.
+        foot_mm: Largest slide or lift of a foot in the whole run [mm].
     """
 
     stood: bool
@@ -48,7 +50,7 @@ class StandOutcome:
 
 
 def judge_stand(trajectory: TrueTrajectory, condition: Condition) -> StandOutcome:
-    """Judge a run of a quiet stand."""
+    """Return the outcome of a quiet stand from its true motion."""
     axis_count = 2 if condition.ground_moves else 3
     foot = float(
         np.linalg.norm(

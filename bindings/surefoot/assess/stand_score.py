@@ -1,4 +1,4 @@
-"""Quiet stand results of a condition: how many passed, and the largest errors."""
+"""Results of the quiet stands under a condition: how many passed, and the largest errors."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def stand_section(units: list[StandUnit], unit_results: UnitResults) -> dict[str
 
 
 def _worst(results: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the largest value of each error over the runs that have it; None if none has it."""
+    """Return the largest value of each error over all runs; None: no run has a value."""
     names = ("tilt_deg", "height_mm", "foot_mm")
     return {
         name: max((r[name] for r in results if r.get(name) is not None), default=None)

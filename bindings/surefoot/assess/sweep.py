@@ -1,4 +1,4 @@
-"""Sweep over push levels: find the largest push below which every tried push was passed."""
+"""Sweep over push levels: finds the largest push level up to which all pushes were passed."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.push_outcome import PushOutcome
 
-# Protocol of docs/assess.md, chosen by hand: 10 to 12 runs a sweep. START_LEVELS seeds together try
-# all ten levels to 100 %.
-MIN_LEVEL = 10.0  # [%] of the push limit: lowest level
-MAX_LEVEL = 200.0  # [%] highest level
-COARSE_STEP = 20.0  # [%] first step
+# Protocol of docs/assess.md, chosen so that a sweep takes 10 to 12 runs. START_LEVELS successive
+# seeds together try all ten levels up to 100 %.
+MIN_LEVEL = 10.0  # [% of the push limit] lowest level
+MAX_LEVEL = 200.0  # [% of the push limit] highest level
+COARSE_STEP = 20.0  # [% of the push limit] step between levels until the robot does not survive
 START_LEVELS = 6  # successive seeds start at MIN_LEVEL, 2 MIN_LEVEL, .. START_LEVELS * MIN_LEVEL
-FINE_STEPS = 5.0, 2.5  # [%] steps of the refinements, in their order
+FINE_STEPS = 5.0, 2.5  # [% of the push limit] steps of the two refinements, in their order
 FINEST_STEP = FINE_STEPS[-1]
 
 
@@ -25,13 +25,15 @@ class Sweep:
     """Push levels of one direction and one seed.
 
     Attributes:
-        outcomes: Outcome by level in percent of the push limit.
+        outcomes: Outcome of each level that was tried, by level [% of the push limit].
     """
 
     outcomes: dict[float, PushOutcome] = field(default_factory=dict)
 
     def largest_passed(self, kind: str) -> float:
-        """Return the largest level up to which all tried levels passed [%]; 0 if none did.
+        """Return the largest level up to which all tried levels passed [% of the push limit].
+
+        0: the lowest tried level did not pass, or no level was tried.
 
         Args:
             kind: Criterion: "survived" or "in_place".
@@ -45,9 +47,9 @@ class Sweep:
 
 
 def first_level(seed_index: int) -> float:
-    """Return the first level of a sweep [%].
+    """Return the first level of a sweep [% of the push limit].
 
-    START_LEVELS sweeps with successive seeds together try all multiples of MIN_LEVEL.
+    The sweeps of START_LEVELS successive seeds together try all multiples of MIN_LEVEL.
 
     Args:
         seed_index: Index of the seed in the scorecard, from 0.
@@ -56,7 +58,7 @@ def first_level(seed_index: int) -> float:
 
 
 def percent_text(percent: float) -> str:
-    """Return a level as text; "+" marks MAX_LEVEL, where the true limit may be higher."""
+    """Return a level [%] as text; a "+" after MAX_LEVEL says that the true limit may be higher."""
     return f"{percent:.1f}" + ("+" if percent >= MAX_LEVEL else "")
 
 
@@ -67,15 +69,15 @@ def run_sweep(
 ) -> Sweep:
     """Try push levels in coarse steps until the robot does not survive, then in fine steps.
 
-    Levels rise in steps of COARSE_STEP until one is not survived, at most to MAX_LEVEL. Then, for
-    each criterion and each step of FINE_STEPS, levels rise from the last pass towards the first
-    failure until one fails. This is no bisection: a weak push that fails ends the count, even if a
-    stronger one passes.
+    Coarse levels rise in steps of COARSE_STEP until the robot does not survive, or to MAX_LEVEL.
+    Then, for each criterion and each step of FINE_STEPS, the levels rise from the largest passed
+    level towards the first failed level, until a level fails. The sweep does not bisect: a weak
+    push that fails ends the sweep, even if a stronger push would pass.
 
     Args:
-        run: Runs one level, in percent of the push limit.
-        start_level: First level [%].
-        finest_step: Last step of FINE_STEPS to use [%].
+        run: Function that runs one level [% of the push limit] and returns its outcome.
+        start_level: First level [% of the push limit].
+        finest_step: Smallest step of FINE_STEPS to use [% of the push limit].
 
     Raises:
         Error: finest_step is not in FINE_STEPS.
@@ -96,7 +98,7 @@ def run_sweep(
 
 
 def _refine(done: Sweep, run: Callable[[float], PushOutcome], kind: str, step: float) -> None:
-    """Try levels from the last pass up to below the first failure."""
+    """Try levels between the largest passed level and the first failed level, until one fails."""
     last = done.largest_passed(kind)
     levels_above = [level for level in done.outcomes if level > last]
     for level in _levels(last + step, min(levels_above, default=last) - step, step):
@@ -130,7 +132,7 @@ def outcome_rows(done: Sweep) -> list[list[Any]]:
 
 
 def rows_to_sweep(rows: list[list[Any]]) -> Sweep:
-    """Return the sweep of the rows of outcome_rows()."""
+    """Return the sweep that outcome_rows() converted to `rows`."""
     return Sweep({row[0]: PushOutcome(*row[1:]) for row in rows})
 
 

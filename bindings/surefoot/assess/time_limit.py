@@ -1,4 +1,4 @@
-"""Time limit for code that may never return."""
+"""Limit of the run time of code that may never return."""
 
 from __future__ import annotations
 
@@ -12,18 +12,19 @@ from surefoot._core import Error
 
 
 class TimeLimitExceeded(Error):
-    """The code inside time_limit() took longer than the limit."""
+    """The code in the context of time_limit() took longer than the limit."""
 
 
 @contextmanager
 def time_limit(seconds: float, what: str) -> Iterator[None]:
-    """Raise TimeLimitExceeded if the enclosed code takes longer; no limit outside the main thread.
+    """Raise TimeLimitExceeded if the code in this context takes longer than a limit.
 
-    Signals interrupt only the main thread, and the limit uses SIGALRM.
+    Outside the main thread there is no limit: the limit uses the signal SIGALRM, and Python handles
+    signals only in the main thread.
 
     Args:
-        seconds: Limit [s].
-        what: Name of the code for the message.
+        seconds: Longest wall time of the code [s].
+        what: Name of the code in the message.
     """
     if threading.current_thread() is not threading.main_thread():
         yield

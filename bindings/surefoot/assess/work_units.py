@@ -1,4 +1,4 @@
-"""Units of work: each runs in one piece, and the store keeps its result."""
+"""Units of work: one worker runs a unit from start to end, and the store keeps its result."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from surefoot.files.json_values import json_value
 from surefoot.sim import Push
 
 Heartbeat = Callable[[], None]
-"""Called before the first run and after every run to show that the worker makes progress."""
+"""Function that a unit calls before its first run and after every run, to show its progress."""
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,9 @@ class PushUnit:
         duration: Duration of every push [s].
         push_height: Height of the line of action above the centre of mass [m].
         seed: Seed of sensors and motors.
-        limit: Push limit, which is level 100 % [N.s].
-        start_level: First level of the sweep [%].
-        finest_step: Resolution of the sweep [%].
+        limit: Push limit [N.s]; a level of 100 % has this impulse.
+        start_level: First level of the sweep [% of the push limit].
+        finest_step: Smallest step of the sweep [% of the push limit].
     """
 
     condition: Condition
@@ -58,8 +58,8 @@ class PushUnit:
     ) -> dict[str, Any]:
         """Run the sweep and return its rows as JSON values.
 
-        A push during which the controller fails counts as not survived. "broken" has the text of
-        the first such failure.
+        If the controller fails during a push, the push counts as not survived, and the key "broken"
+        has the text of the first failure.
         """
         broken: dict[str, str] = {}
 
@@ -84,7 +84,18 @@ class PushUnit:
         level: float,
         on_tick: TickCallback | None = None,
     ) -> TrueTrajectory:
-        """Run one level in percent of the push limit; raises ControllerFailure, Error."""
+        """Run one push and return the true motion.
+
+        Args:
+            source: The robot.
+            controller_under_test: Controller for the run.
+            level: Impulse of the push [% of the push limit].
+            on_tick: Function that is called in every tick.
+
+        Raises:
+            ControllerFailure: The controller failed; see the class.
+            Error: The robot or the condition is invalid.
+        """
         begin, plant = self.condition.quiet_s, plant_of(source, self.condition)
         impulse = level / 100.0 * self.limit
         plant.reseed(
@@ -101,7 +112,7 @@ class StandUnit:
 
     Attributes:
         condition: Condition of the run.
-        heading: Heading of slope or platform [deg].
+        heading: Direction of steepest ascent of slope or platform, from forward towards left [deg].
         seed: Seed of sensors and motors.
     """
 
@@ -133,7 +144,12 @@ class StandUnit:
         controller_under_test: ControllerUnderTest,
         on_tick: TickCallback | None = None,
     ) -> TrueTrajectory:
-        """Run the stand; raises ControllerFailure, Error."""
+        """Run the stand and return the true motion.
+
+        Raises:
+            ControllerFailure: The controller failed; see the class.
+            Error: The robot or the condition is invalid.
+        """
         condition = self._one_heading_condition
         plant = plant_of(source, condition)
         plant.reseed(self.seed)
@@ -147,10 +163,10 @@ class StandUnit:
 
 
 class WorkUnit(Protocol):
-    """Work that one worker runs in one piece.
+    """Unit of work that one worker runs from start to end.
 
     Attributes:
-        deadline_factor: Factor on the deadline between two heartbeats.
+        deadline_factor: Time allowed between two heartbeats, as a multiple of the deadline.
     """
 
     deadline_factor: ClassVar[float]
@@ -162,7 +178,12 @@ class WorkUnit(Protocol):
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run the unit and return its result as JSON values; raises ControllerFailure, Error."""
+        """Run the unit and return its result as JSON values.
+
+        Raises:
+            ControllerFailure: The controller failed; see the class.
+            Error: The robot or the condition is invalid.
+        """
 
 
 def run_unit(
@@ -171,10 +192,11 @@ def run_unit(
     controller_under_test: ControllerUnderTest,
     heartbeat: Heartbeat = lambda: None,
 ) -> dict[str, Any]:
-    """Run a unit; a controller failure or an invalid plant gives a result too.
+    """Run a unit.
 
     Returns:
-        The result of the unit, or {"broken": why}.
+        The result of the unit, or {"broken": reason} if the controller failed or the plant is
+        invalid.
     """
     try:
         return unit.run(source, controller_under_test, heartbeat)

@@ -1,4 +1,4 @@
-"""Worker process that runs one unit after the other, and its supervision by heartbeats."""
+"""Worker process that runs units one after another, and the supervision of its heartbeats."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.work_units import WorkUnit, run_unit
 from surefoot.system.worker_processes import die_with_parent, spawn_context
 
-# [s] added to the first deadline: a new process imports and builds plants. Chosen: seconds on a
-# free machine; the rest is for a loaded one or a network disk.
+# [s] Time added to the first deadline, because a new process imports modules and builds plants.
+# Chosen: this takes seconds on a free machine, and longer on a busy one or from a network disk.
 _STARTUP_TIME = 120.0
-_HEARTBEAT = None  # message at the start and after every run; a dictionary is a unit's result
+# Message that a process sends at its start and after every run. Any other message is the result of
+# a unit.
+_HEARTBEAT = None
 LOST_KEY = "lost"  # key in the result of a unit that did not end; a resumed run repeats the unit
 
 
@@ -39,9 +41,9 @@ class Worker:
 
     Attributes:
         pipe: Connection to the process; closed after the process has ended.
-        work: Current or last work; None before the first.
-        heartbeat_due: Time by which the next message must arrive [s], time.monotonic().
-        timed_out: True if no message arrived by then and the process was killed.
+        work: Current or last work; None before the first work.
+        heartbeat_due: Time of time.monotonic() by which the next message must arrive [s].
+        timed_out: True if the process was killed because no message arrived by `heartbeat_due`.
     """
 
     def __init__(self, source: RobotSource) -> None:
@@ -55,14 +57,26 @@ class Worker:
         self.timed_out = self._started = False
 
     def assign(self, work: WorkItem, deadline: float) -> None:
-        """Send work to the process; raises OSError if the process has died."""
+        """Send work to the process.
+
+        Args:
+            work: The work.
+            deadline: Longest wall time of one run [s]; multiplied by the unit's deadline_factor.
+
+        Raises:
+            OSError: The process has died.
+        """
         self.pipe.send(work)
         is_first = self.work is None
         self.work, self._deadline = work, deadline * work.unit.deadline_factor
         self.heartbeat_due = time.monotonic() + self._deadline + _STARTUP_TIME * is_first
 
     def receive(self) -> dict[str, Any] | None:
-        """Return a result, or None after a heartbeat; a dead process gives a lost result.
+        """Read a message from the process.
+
+        Returns:
+            The result of a unit, or None after a heartbeat. If the process has died: a result with
+            the keys "broken" and LOST_KEY.
 
         Raises:
             Error: The process ended before its first heartbeat.
@@ -72,14 +86,14 @@ class Worker:
         except (EOFError, OSError):
             return self._result_of_death()
         if message is _HEARTBEAT:
-            # The first heartbeat keeps the startup time: the process may still build its plant.
+            # The first heartbeat does not change the due time: the process may still build a plant.
             if self._started:
                 self.heartbeat_due = time.monotonic() + self._deadline
             self._started = True
         return message
 
     def give_up(self) -> dict[str, Any]:
-        """Kill a process that missed its heartbeat; return the result of its lost unit."""
+        """Kill a process that missed its heartbeat; return the result for its lost unit."""
         self.kill()
         self.timed_out = True
         return _lost_result(f"never returned: no run ended in {self._deadline:g} s")
@@ -109,7 +123,7 @@ def _lost_result(why: str) -> dict[str, Any]:
 def _run_worker(pipe: Connection, source: RobotSource) -> None:
     """Run the work items from the pipe until it closes."""
     die_with_parent()
-    os.dup2(2, 1)  # our stdout may carry JSON: move a controller's prints to stderr
+    os.dup2(2, 1)  # stdout of the main process may carry JSON, so controllers print to stderr
     pipe.send(_HEARTBEAT)
     while True:
         try:

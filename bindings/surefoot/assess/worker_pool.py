@@ -1,4 +1,4 @@
-"""Pool of worker processes with a deadline: a process that misses it is killed and replaced."""
+"""Pool of worker processes: a process that misses its deadline is killed and replaced."""
 
 from __future__ import annotations
 
@@ -15,17 +15,18 @@ from surefoot.assess.worker import Worker, WorkItem
 def run_work(
     work_items: Iterable[WorkItem], source: RobotSource, jobs: int, deadline: float
 ) -> Iterator[tuple[WorkItem, dict[str, Any]]]:
-    """Run work on several processes; yield each item with its result as it ends.
+    """Run work on several processes; yield each item with its result when the item ends.
 
-    A unit whose process dies, or sends no heartbeat within `deadline`, gets the result {"broken":
-    why, LOST_KEY: True}; a new process replaces it. If the controller has completed a unit before,
-    a unit that missed the deadline runs a second time, because the machine may have stalled.
+    If a process dies, or sends no heartbeat within its deadline, its unit gets the result
+    {"broken": reason, LOST_KEY: True}, and a new process replaces the old one. If the same
+    controller has completed a unit before, a unit that missed its deadline runs a second time,
+    because the machine may have stalled.
 
     Args:
         work_items: Work, in the order in which it starts.
         source: The robot.
         jobs: Number of processes.
-        deadline: Limit of one run [s] of wall time.
+        deadline: Longest wall time of one run [s]; multiplied by the unit's deadline_factor.
 
     Raises:
         Error: Processes cannot be started.
@@ -61,7 +62,7 @@ def run_work(
 
 
 def _collect_results(workers: list[Worker]) -> list[tuple[Worker, dict[str, Any]]]:
-    """Wait for messages; return the results that arrived and those of timed-out workers."""
+    """Wait for messages; return the results that arrived, and the results of late workers."""
     timeout = min(worker.heartbeat_due for worker in workers) - time.monotonic()
     ready = wait([worker.pipe for worker in workers], max(0.0, timeout))
     results = []
@@ -77,7 +78,7 @@ def _collect_results(workers: list[Worker]) -> list[tuple[Worker, dict[str, Any]
 
 def _start_worker(work: WorkItem, source: RobotSource, deadline: float) -> Worker:
     worker = Worker(source)
-    with suppress(OSError):  # _collect_results() reports a process that has died by now
+    with suppress(OSError):  # _collect_results() reports a process that has already died
         worker.assign(work, deadline)
     return worker
 
@@ -89,13 +90,16 @@ def _next_work_to(
     source: RobotSource,
     deadline: float,
 ) -> list[Worker]:
-    """Give a worker its next work, stop it if there is none, or replace it if it has ended."""
+    """Give a worker its next work; return the workers that run now.
+
+    If there is no work, the worker is stopped. If its process has ended, a new worker replaces it.
+    """
     if not worker.pipe.closed and work is not None:
         try:
             worker.assign(work, deadline)
             return workers
         except OSError:
-            pass  # it died after its last result, so the new work is not the cause
+            pass  # the process died after its last result, so the new work is not the cause
     if not worker.pipe.closed:
         worker.kill()
     other_workers = [other for other in workers if other is not worker]

@@ -1,4 +1,4 @@
-"""LowStates of a simulated run, recorded before timing so that simulation does not disturb it."""
+"""Recording of a simulated run's LowStates before the timing, which simulation would disturb."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from surefoot.bench.settings import BenchSettings
 
 @dataclass(frozen=True)
 class Recording:
-    """The LowStates and body references of one simulated run.
+    """LowStates and body references of one simulated run.
 
     Attributes:
         scenario: A name in SCENARIOS.
         robot: Robot model of the controller.
         reports: One LowState per tick, from the start until the end or the fall.
         period: Time between LowStates [s].
-        fell: Whether the robot fell, which ends the run.
+        fell: True if the run ended because the robot fell.
         references: Body reference of each tick; empty if the scenario sets none.
     """
 
@@ -33,8 +33,8 @@ class Recording:
 def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
     """Run a scenario in simulation and record every LowState.
 
-    The controller chooses the form of the QP by itself, so that every form is timed on the same
-    LowStates.
+    The controller of this run chooses the form of the QP by itself. So all forms are timed on the
+    same LowStates.
     """
     definition = SCENARIOS[scenario]
     plant = definition.make_plant(settings.robot, settings.rate, settings.seed)
@@ -43,7 +43,7 @@ def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
     report = plant.reset()
     reports, references = [], []
     for tick in range(round(definition.duration * settings.rate)):
-        # A copy, because the plant may reuse the memory of its LowState.
+        # Append a copy, because the plant may reuse the memory of its LowState.
         reports.append(LowState.from_bytes(report.to_bytes()))
         definition.apply_reference(controller, tick / settings.rate)
         if definition.body_reference is not None:

@@ -39,7 +39,7 @@ def machine_line(m: dict[str, Any]) -> str:
     versions = ", ".join(f"{name} {v}" for name, v in m["versions"].items() if v is not None)
     governor = f"governor {m['governor'] or 'unknown'}"
     parts = [m["cpu"] or "unknown processor", f"{m['cores']} cores", governor]
-    build = [m["build"]] if "build" in m else []  # only the tick program reports its build
+    build = [m["build"]] if "build" in m else []  # present only if the tick program ran
     if m.get("memory_locked"):
         build.append("memory locked")
     return ", ".join([*parts, m["system"], versions, *build])

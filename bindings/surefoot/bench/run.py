@@ -23,7 +23,7 @@ class Bench:
 
     Attributes:
         figures: All figures as JSON values.
-        series: Every time sample, by scenario and name of the call.
+        series: Durations of all calls, by scenario and name of the call.
         recordings: Recorded runs, by scenario.
     """
 
@@ -33,11 +33,14 @@ class Bench:
 
 
 def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = None) -> Bench:
-    """Record every scenario, time its replay and return all figures; raises Error.
+    """Record every scenario, time its replay and return all figures.
 
     Args:
         settings: Settings of the benchmark.
         progress: Called with one line of text before each step.
+
+    Raises:
+        Error: A setting is invalid, or the tick program failed.
     """
     say = progress or (lambda _: None)
     all_series, recordings = {}, {}

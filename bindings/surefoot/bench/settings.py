@@ -9,6 +9,7 @@ from surefoot.bench.problems import SCENARIOS
 from surefoot.robot.description import RobotDescription
 from surefoot.stand.settings import check_rate
 
+# Chosen: 20 ticks beyond the 99.9th percentile.
 DEFAULT_TICKS = 20_000
 MIN_TICKS, MAX_TICKS = 100, 2_000_000
 DEFAULT_SCENARIOS = ("quiet", "motion", "push50", "push80", "weak")
@@ -20,12 +21,12 @@ class BenchSettings:
 
     Attributes:
         robot: A name of surefoot.available_robots(), or the result of describe_robot().
-        ticks: Smallest number of ticks timed per scenario; its recording is replayed as often as
-            needed.
+        ticks: Smallest number of timed ticks per scenario. The recording is replayed until this
+            number is reached.
         form: Form of the QP that is timed.
         rate: Rate of the LowStates in the recorded runs [Hz].
         seed: Seed of the sensor noise.
-        scenarios: Names in SCENARIOS to record and time.
+        scenarios: Names of the SCENARIOS to record and time.
     """
 
     robot: str | RobotDescription = "go1"

@@ -1,6 +1,6 @@
-"""Runs the C++ executable that times ticks.
+"""Run the C++ executable that times ticks.
 
-Without Python in the process, all heap allocations and page faults that it counts are the tick's.
+The executable contains no Python, so it counts only the tick's heap allocations and page faults.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _CALL_TIMING = np.dtype(
 
 @dataclass(frozen=True)
 class Series:
-    """Time samples of one kind of call.
+    """Timings of one kind of call.
 
     Attributes:
         wall: (n,) wall time [us].
@@ -37,8 +37,8 @@ class Series:
         failures: Number of calls without a usable status.
         allocations: Number of heap allocations in all calls.
         page_faults: Number of page faults in all calls.
-        first_allocations: Heap allocations in the first pass, which is not in the samples.
-        first_page_faults: Page faults in the first pass.
+        first_allocations: Number of heap allocations in the first pass, which is not timed.
+        first_page_faults: Number of page faults in the first pass.
     """
 
     wall: npt.NDArray[np.float32]
@@ -56,11 +56,11 @@ def run_tick_program(
 ) -> tuple[dict[str, Series], dict[str, Any]]:
     """Time a recording; return the series by name, and facts about the executable.
 
-    The facts are "build", the compiler and flags of the library, and "memory_locked", whether the
-    system allowed mlockall(). Without it, pages are mapped only after the first pass.
+    There are two facts. "build" is the compiler and flags of the library. "memory_locked" is true
+    if the system allowed mlockall(); otherwise the first pass maps the pages.
 
     Raises:
-        Error: The executable is missing or failed; with its error text.
+        Error: The executable is missing, or it failed; the message has its error text.
     """
     passes = math.ceil(ticks / len(recording.reports))
     with tempfile.TemporaryDirectory() as folder:

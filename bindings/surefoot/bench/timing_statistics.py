@@ -11,12 +11,14 @@ import numpy.typing as npt
 from surefoot.bench.tick_program import Series
 
 PERCENTILES = {"min": 0.0, "p50": 50.0, "p90": 90.0, "p99": 99.0, "p99.9": 99.9, "max": 100.0}
-DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}  # [us]
-HISTOGRAM_END = 500  # [us] the last bin holds all longer durations
+# Derived: one period.
+DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}  # [us] longest duration of a tick in time
+# Chosen: a quarter of the period at 500 Hz, above which a tick is late for a controller.
+HISTOGRAM_END = 500  # [us] start of the last bin, which holds all longer durations
 
 
 def distribution(durations: npt.ArrayLike) -> dict[str, float]:
-    """Return n and min, p50, p90, p99, p99.9, max of durations [us]."""
+    """Return the number n, and min, p50, p90, p99, p99.9, max of durations [us]."""
     values = np.asarray(durations, dtype=float)
     numbers = np.percentile(values, list(PERCENTILES.values()))
     return {
@@ -32,10 +34,10 @@ def histogram(durations: npt.ArrayLike) -> list[int]:
 
 
 def slowest_tick(durations: npt.NDArray[np.float32], reports: int) -> float:
-    """Return the largest median over all passes of the duration of one tick [us].
+    """Return the duration [us] of the slowest tick, each tick by its median over all passes.
 
-    The maximum over all samples is mostly due to the machine. A tick that is slow in most passes
-    is due to the controller.
+    The machine causes most of the longest single durations. A tick that is slow in most passes is
+    slow because of the controller.
     """
     return round(float(np.median(durations.reshape(-1, reports), axis=0).max()), 3)
 

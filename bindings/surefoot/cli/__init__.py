@@ -18,7 +18,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the command.
 
     Args:
-        argv: Arguments without the command's own name. None: the arguments of this process.
+        argv: Arguments without the program name. None: the arguments of this process.
 
     Returns:
         Exit status: 0 done, 1 a file could not be written, 2 a wrong argument, 3 the robot fell,
@@ -30,11 +30,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments.argv = argv
         status = arguments.run(arguments) or DONE
         sys.stdout.flush()
-    except SystemExit as end:  # argparse, after --help, --version or its own error line
+    except SystemExit as end:  # raised by argparse after --help, --version or its own error line
         return int(end.code or 0)
     except Error as problem:
         return _print_error(str(problem), WRONG_ARGUMENT)
-    except BrokenPipeError:  # surefoot gains | head
+    except BrokenPipeError:  # the reader of stdout has closed, as in surefoot gains | head
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as problem:

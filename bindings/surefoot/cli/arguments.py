@@ -1,4 +1,4 @@
-"""Subcommands and options of the command surefoot, and their parser."""
+"""Parser of the command surefoot, with its subcommands and options."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from surefoot.robot.robot_toml import suggest
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser that reports an error in one line."""
+    """Argument parser that reports an error in one line."""
 
     def error(self, message: str) -> NoReturn:
         line = " ".join(message.split())
@@ -49,13 +49,14 @@ def parse_arguments(argv: Sequence[str]) -> argparse.Namespace:
     """Parse the arguments of the command.
 
     Args:
-        argv: Arguments without the command's own name.
+        argv: Arguments without the program name.
 
     Returns:
         The parsed arguments; `run` is the function of the chosen subcommand.
 
     Raises:
-        SystemExit: An argument is wrong (status 2, one line on stderr), or --help or --version.
+        SystemExit: An argument is wrong (status 2, one line on stderr), or --help or --version
+            was printed (status 0).
     """
     return _build_parser().parse_args(_join_negative_values(argv))
 
@@ -111,7 +112,10 @@ def _add_export_options(parser: _Parser) -> None:
 
 
 def _join_negative_values(argv: Sequence[str]) -> list[str]:
-    """Join '--slope' '-5:90' to '--slope=-5:90': argparse would parse '-5:90' as an option."""
+    """Return the arguments with '--slope' '-5:90' joined to '--slope=-5:90'.
+
+    Otherwise argparse would parse '-5:90' as an option.
+    """
     joined: list[str] = []
     for word in argv:
         if joined and re.match(r"--[a-z-]+$", joined[-1]) and re.match(r"-[\d.]", word):

@@ -105,7 +105,7 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
     from surefoot.assess.settings import MAX_JOBS
 
     description = chosen_robot(arguments, default="go1")
-    assert description is not None  # there is a default
+    assert description is not None  # not None, because a default robot is given
     robot: str | tuple[str, str] = arguments.robot or "go1"
     if arguments.urdf is not None:
         robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))

@@ -1,4 +1,4 @@
-"""surefoot run --yes: arm and rise without a key press."""
+"""surefoot run --yes: arms and rises without a key press."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from surefoot._core import Mode, RequestStatus, RunSnapshot, StandRunner
 class AutomaticRise:
     """Automatic operator: arms and rises once, as soon as all arming checks pass.
 
-    Ends the run if the rise fails. Does not arm again after damping was latched.
+    If the rise fails, the operator ends the run. After latched damping the robot is not armed
+    again.
 
     Args:
         runner: The runner that receives the requests.

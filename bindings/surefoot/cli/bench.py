@@ -69,7 +69,7 @@ def bench(arguments: argparse.Namespace) -> None:
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
     robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
+    assert robot is not None  # not None, because a default robot is given
     scenarios = tuple(arguments.scenario or DEFAULT_SCENARIOS)
     form = read_form(arguments.form)
     ticks = DEFAULT_TICKS if arguments.ticks is None else arguments.ticks

@@ -12,14 +12,14 @@ from surefoot.cli.robot_choice import chosen_robot
 
 
 def bench_export(arguments: argparse.Namespace) -> None:
-    """Record scenarios and write their QPs; raises Error."""
+    """Record scenarios and write their QPs; raise Error for a wrong argument."""
     try:
         from surefoot.bench.problems import export_qpbenchmark, record_problems
         from surefoot.bench.problems.record import SCENARIO_NAMES
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
     robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
+    assert robot is not None  # not None, because a default robot is given
     folder = Path(arguments.export)
     forms = requested_forms(arguments)
     for scenario in arguments.scenario or SCENARIO_NAMES:

@@ -7,7 +7,7 @@ import argparse
 from surefoot._core import Error, QpForm
 from surefoot.cli.stand import read_form
 
-# Options that have no effect in each form of the command.
+# For each form of the command: the options that have no effect in it.
 _INEFFECTIVE_OPTIONS = {
     "--export": ("--solvers", "--ticks", "--peers", "--json", "--report"),
     "--solvers": ("--ticks", "--peers", "--report", "--urdf", "--config", "--qpbenchmark"),
@@ -32,7 +32,7 @@ def check_options(arguments: argparse.Namespace) -> None:
 
 
 def requested_forms(arguments: argparse.Namespace) -> tuple[QpForm, ...]:
-    """Return the form that --form names; both forms for auto."""
+    """Return the QP form that --form names as a tuple of one; both forms for "auto"."""
     form = read_form(arguments.form)
     return (QpForm.CONDENSED, QpForm.GENERAL) if form == QpForm.AUTO else (form,)
 

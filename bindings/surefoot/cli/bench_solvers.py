@@ -18,7 +18,11 @@ SCENARIOS = ("quiet", "push80", "weak", "limp")
 
 
 def bench_solvers(arguments: argparse.Namespace) -> None:
-    """Record or read QPs, run every solver on them, print tables and write JSON; raises Error."""
+    """Record or read QPs, run every solver on these QPs, print tables and write JSON.
+
+    Raises:
+        Error: A wrong argument, or CMake or the sources are missing.
+    """
     try:
         from surefoot.bench.problems import check_scenario
         from surefoot.bench.solvers import run_solvers, solvers_text
@@ -26,7 +30,7 @@ def bench_solvers(arguments: argparse.Namespace) -> None:
         raise missing_module("bench", problem) from None
     check_json_path(arguments.json)
     for scenario in arguments.scenario or ():
-        check_scenario(scenario)  # before the solver adapters are compiled
+        check_scenario(scenario)  # report a wrong name before the solver adapters are compiled
     requested_forms(arguments)
     result = run_solvers(_sequences(arguments))
     write_json(arguments.json, result)

@@ -29,7 +29,7 @@ def estimate(arguments: argparse.Namespace) -> None:
     check_table_path("--trajectory", arguments.trajectory)
     check_report_folder(arguments.report, "estimate --report", "surefoot.estimate.report")
     description = chosen_robot(arguments, default="go1")
-    assert description is not None  # there is a default
+    assert description is not None  # not None, because a default robot is given
     gains = read_gains(arguments.gains, description)
     log = read_log(arguments.log)
     result = run_estimator(build_robot(description), log, gains, progress_bar())

@@ -1,4 +1,4 @@
-"""The options of surefoot estimate."""
+"""Options of surefoot estimate."""
 
 from __future__ import annotations
 

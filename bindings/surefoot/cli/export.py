@@ -10,7 +10,7 @@ from surefoot.robot.loading import build_robot
 
 
 def export(arguments: argparse.Namespace) -> None:
-    """Write a .robot file for Robot.load() in C++ and Python; raises Error."""
+    """Write a .robot file for Robot.load() in C++ and Python; raise Error for a wrong argument."""
     description = chosen_robot(arguments, "ROBOT")
     if description is None:
         raise Error("export: got no robot, expected ROBOT, or both --urdf and --config")

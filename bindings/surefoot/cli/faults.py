@@ -121,7 +121,7 @@ def faults(arguments: argparse.Namespace) -> int | None:
 
 
 def fault_names_text() -> str:
-    """Return fault_table() as text for an operator."""
+    """Return fault_table() as a text table for an operator."""
     blocks = []
     for info in fault_table():
         reaction = f"{info.reaction.name.lower()} within {1000 * info.detection_time:.0f} ms"
@@ -135,7 +135,7 @@ def _settings(arguments: argparse.Namespace) -> FaultSettings:
     from surefoot.faults.matrix.matrix_settings import MAX_JOBS
 
     robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
+    assert robot is not None  # not None, because a default robot is given
     jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MAX_JOBS)
     only, taken_over = tuple(arguments.only), arguments.taken_over
     return FaultSettings(robot, arguments.seed, jobs, only, arguments.store, taken_over)

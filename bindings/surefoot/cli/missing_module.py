@@ -6,12 +6,12 @@ from surefoot._core import Error
 
 
 def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Error:
-    """Return the error that says how to install a missing module.
+    """Return an Error that tells how to install the missing module.
 
     Args:
         command: Subcommand that needs the module, without "surefoot".
         problem: Import error, which names the module.
-        more: Extras that the command needs besides "sim".
+        more: Extras of the package surefoot that the command needs besides "sim".
     """
     extras = ("sim", *more)
     names = " and ".join(f"'{extra}'" for extra in extras)

@@ -16,7 +16,10 @@ from surefoot.files.tables import check_table_name
 
 
 def check_json_path(place: str | None) -> None:
-    """Raise Error if --json cannot be written; call before the run, so that no result is lost."""
+    """Raise Error if the file of --json cannot be written; call this before the run.
+
+    Otherwise the result of the run would be lost.
+    """
     if place != "-":
         check_output_path("--json", place)
 
@@ -51,11 +54,11 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
     if place == "-":
         sys.stdout.write(text)
         return
-    write_text_atomically(Path(place), text)  # a second Ctrl-C may end this at any point
+    write_text_atomically(Path(place), text)  # atomic: a second Ctrl-C may interrupt it
 
 
 def check_report_folder(folder: str | None, command: str, module: str) -> None:
-    """Make the report's folder and import its writer; call before the run.
+    """Make the report's folder and import the report's writer; call this before the run.
 
     Args:
         folder: Folder of the report, or None for no report.

@@ -10,7 +10,10 @@ WIDTH = 30
 
 
 def progress_bar() -> Callable[[str, int, int], None] | None:
-    """Return a function (label, done, total) that draws a bar; None if stderr is no terminal."""
+    """Return a function (label, done, total) that draws a bar on stderr.
+
+    None: stderr is not a terminal.
+    """
     if not sys.stderr.isatty():
         return None
 

@@ -43,7 +43,7 @@ def replay(arguments: argparse.Namespace) -> int | None:
     check_json_path(arguments.json)
     recording = read_recording(arguments.log)
     description = chosen_robot(arguments, default=recording.robot)
-    assert description is not None  # there is a default
+    assert description is not None  # not None, because a default robot is given
     result = play(recording, build_robot(description), progress_bar())
     write_json(arguments.json, _record(recording, result))
     if arguments.json != "-":

@@ -26,11 +26,11 @@ def add_file_options(
 def chosen_robot(
     arguments: argparse.Namespace, option: str = "--robot", default: str | None = None
 ) -> RobotDescription | None:
-    """Return the robot that the arguments choose, or None without a choice and a default.
+    """Return the robot that the arguments choose, or the default; None if there is neither.
 
     Args:
         arguments: Arguments with robot, urdf and config, each None if not given.
-        option: Name of the option that names the robot, for the message.
+        option: Name of the option for the robot's name, used in messages.
         default: Name of the robot if none is chosen.
 
     Raises:

@@ -35,8 +35,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Control the robot until the run ends; print status lines and write JSON.
 
     Returns:
-        Exit status: 0 the robot stood, and lay down on request; 1 no robot of the right generation
-        answered; 3 any other end.
+        Exit status: 0 the robot stood until the requested end; 1 no robot of the right generation
+        answered; 3 the run ended in another way.
 
     Raises:
         Error: A wrong argument.
@@ -66,7 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _write_log(file: str, log: RunLog, print_line: Callable[[str], None]) -> None:
-    """Write the log if a LowState arrived; only print a write error."""
+    """Write the log if a LowState arrived; print a write error instead of raising it."""
     if not len(log):
         print_line(f"--log: no LowState arrived; {file} is not written")
         return
@@ -102,7 +102,7 @@ def _check_operator(arguments: argparse.Namespace) -> None:
 
 def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str]:
     description = chosen_robot(arguments, default="go1")
-    assert description is not None  # there is a default
+    assert description is not None  # not None, because a default robot is given
     robot = build_robot(description)
     generation = arguments.sdk or default_generation(robot.name)
     if not 0.0 <= arguments.predict_ms <= 50.0:

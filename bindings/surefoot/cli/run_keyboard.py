@@ -10,13 +10,14 @@ from collections.abc import Callable
 
 from surefoot.system.terminal import has_keyboard
 
-_MAX_EOFS = 3  # in a row: the terminal has closed; a Ctrl-D gives one EOF
+# Chosen: a person types fewer Ctrl-D in a row.
+_MAX_EOFS = 3  # EOFs in a row after which the terminal counts as closed; Ctrl-D gives one EOF
 
 
 class KeyboardLines:
-    """Reader of terminal lines that neither blocks nor buffers complete lines.
+    """Reader of lines from the terminal that does not block.
 
-    Reads the file descriptor directly: the buffer of sys.stdin would delay lines.
+    It reads the file descriptor directly, because the buffer of sys.stdin would delay lines.
 
     Args:
         print_line: Called with messages about the keyboard itself.

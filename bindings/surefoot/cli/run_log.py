@@ -14,7 +14,8 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sensor_log.column_definitions import RUN_PREFIX
 from surefoot.sensor_log.sensor_columns import sensor_columns
 
-LOG_TIME = 60.0  # [s] default of --log-time
+# Chosen: the run before a fault; bounds the memory.
+LOG_TIME = 60.0  # [s] default of --log-time, the duration that the log covers
 
 
 def check_log(path: str | None, time: float | None) -> None:
@@ -34,7 +35,7 @@ def write_run_log(path: str, log: RunLog) -> float:
     The file has the columns of a sensor log and the arrays run_... (docs/estimation.md).
 
     Returns:
-        Time [s] that the log covers.
+        Duration [s] that the log covers.
 
     Raises:
         OSError: The file could not be written.
@@ -51,7 +52,7 @@ def write_run_log(path: str, log: RunLog) -> float:
     }
     elapsed = time - time[0]
     columns = sensor_columns(reports) | {"time": elapsed[:, None]}
-    if _restarted(columns["tick"][:, 0]):  # its clock restarted, so use the host's clock
+    if _restarted(columns["tick"][:, 0]):  # the robot's clock restarted, so use the host's clock
         del columns["tick"]
     sensors = SensorLog("surefoot run", columns, elapsed, clock="time")
     write_log(path, sensors, {f"{RUN_PREFIX}{name}": values for name, values in extras.items()})
@@ -59,7 +60,7 @@ def write_run_log(path: str, log: RunLog) -> float:
 
 
 def _restarted(ticks: np.ndarray) -> bool:
-    """Return whether the robot's clock [ms] ran backwards; the difference allows for wrapping."""
+    """Return whether the robot's clock [ms] ran backwards; a wrap at 2^32 does not count."""
     return bool((np.diff(ticks.astype(np.uint32)).astype(np.int32) < 0).any())
 
 

@@ -13,9 +13,12 @@ from surefoot.cli.run_operator import ArmingMonitor, Operator
 from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
 from surefoot.reports.damping_reason import damping_reason
 
-_POLL_PERIOD = 0.02  # [s] between two snapshots of the loop
-_STATUS_PERIOD = 1.0  # [s] between status lines
-_STUCK_TIME = 0.5  # [s] without a poll, after which typed keys are out of date
+# Chosen: below the 0.05 s of published snapshots (kPublishPeriod).
+_POLL_PERIOD = 0.02  # [s] time between two snapshots of the loop
+# Chosen for a person.
+_STATUS_PERIOD = 1.0  # [s] time between two status lines
+# Chosen. Below: load of the machine; above: a key that acts unexpectedly late.
+_STUCK_TIME = 0.5  # [s] time between two polls above which typed keys are discarded
 _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -28,15 +31,15 @@ def supervise(
 ) -> RunSnapshot:
     """Run the control loop in its own thread; poll it, the keyboard and signals from this thread.
 
-    SIGINT, SIGTERM and SIGHUP finish the run; a second one stops it. SIGUSR1 arms again, SIGQUIT
-    stops at once.
+    SIGINT, SIGTERM and SIGHUP finish the run: see StandRunner.finish(). A second one of these
+    signals damps at once. SIGUSR1 arms again. SIGQUIT damps at once.
 
     Args:
         runner: The control loop.
-        robot: Its robot, for names and limits.
+        robot: The robot that the loop controls, for names and limits.
         print_line: Called with each line for the operator.
-        rise: The robot starts lying: print which arming checks fail.
-        automatic: Arm and rise once, without a key press, as soon as all checks pass.
+        rise: Whether the robot starts lying. If true, failing arming checks are printed.
+        automatic: Whether to arm and rise once, as soon as all checks pass, without a key press.
 
     Returns:
         The last snapshot of the runner.
@@ -71,7 +74,7 @@ def supervise(
 
 
 class _RunMonitor:
-    """Printer of changes, and of one status line per second."""
+    """Printer of changes of the robot's state, and of one status line per second."""
 
     def __init__(
         self, runner: StandRunner, robot: Robot, rise: bool, print_line: Callable[[str], None]
@@ -88,14 +91,14 @@ class _RunMonitor:
         self._stuck = self._ending = False
 
     def end(self) -> None:
-        """Finish the run: the robot sits down, then damps. A second call damps at once."""
+        """Finish the run, see StandRunner.finish(); a second call damps at once."""
         if self._ending:
             self._runner.stop()
         self._ending = True
         self._runner.finish()
 
     def discard_stale_keys(self) -> None:
-        """Discard keys typed while this thread was stuck: the robot's state has changed since."""
+        """Discard keys typed while this thread was stuck, because the robot's state may differ."""
         stuck = time.monotonic() - self._last_poll_time
         self._last_poll_time = time.monotonic()
         if stuck > _STUCK_TIME and self._operator.discard_typed():

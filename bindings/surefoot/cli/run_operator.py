@@ -25,7 +25,7 @@ _NEXT_KEY = {
 
 
 def key_help(rise: bool) -> str:
-    """Return the keys and their meaning; `rise`: for a robot that starts lying."""
+    """Return the keys and their meaning as text; `rise`: whether the robot starts lying."""
     if not has_keyboard():
         return "no terminal, no keys"
     arms = "a + Enter arms" if rise else "a + Enter takes the robot over again in its present pose"
@@ -37,9 +37,9 @@ class Operator:
 
     Args:
         runner: Receives the requests.
-        robot: Its robot, for names and limits.
-        rise: As for key_help().
-        print_line: Called with each refusal.
+        robot: The robot that the runner controls, for names and limits.
+        rise: Whether the robot starts lying.
+        print_line: Called with the reason of each refusal.
     """
 
     def __init__(
@@ -54,11 +54,14 @@ class Operator:
             self.handle_line(line.lower(), snapshot)
 
     def discard_typed(self) -> bool:
-        """Discard typed lines that were not read; return whether there is a keyboard."""
+        """Discard typed lines that were not read; return False if there is no keyboard."""
         return self._keys.discard_typed()
 
     def handle_line(self, word: str, snapshot: RunSnapshot) -> None:
-        """Send the request of a line, or print why it is refused. Any line with an x damps."""
+        """Send the request that a line stands for, or print why the request is refused.
+
+        Every line that contains an x damps the robot.
+        """
         up = Mode.STAND if snapshot.mode == Mode.SIT else Mode.RISE
         if "x" in word or word == "stop":
             self._runner.damp()
@@ -98,7 +101,7 @@ class Operator:
 
 
 def joints_text(snapshot: RunSnapshot) -> str:
-    """Return the measured joint angles [rad] of each leg: hip, thigh, calf."""
+    """Return the measured joint angles [rad] of each leg (hip, thigh, calf) as text."""
     legs = zip(LEGS, range(0, 12, 3), strict=True)
     return "; ".join(
         f"{leg} {' '.join(f'{angle:.3f}' for angle in snapshot.joint_angles[first : first + 3])}"
@@ -107,10 +110,10 @@ def joints_text(snapshot: RunSnapshot) -> str:
 
 
 class ArmingMonitor:
-    """Printer of the arming checks of a lying robot: the failing ones, and when all pass.
+    """Printer of the arming checks of a lying robot: prints failing checks, or that all pass.
 
     Args:
-        robot: Robot, for names and limits.
+        robot: The robot that is armed, for names and limits.
         print_line: Called with a line for each failing check.
     """
 
@@ -119,9 +122,9 @@ class ArmingMonitor:
         self._failing, self._ready, self._armed = "", False, False
 
     def update(self, snapshot: RunSnapshot, due: bool) -> None:
-        """Print changes; `due`: print the failing checks again."""
-        # While the robot is silent, the phase is damping before damping is latched (the mode is
-        # still another). The arming checks do not matter then.
+        """Print checks whose result changed; `due`: print all failing checks again."""
+        # While no LowState arrives, the phase is already DAMPING before the mode is. The arming
+        # checks do not matter in that case.
         if (snapshot.phase, snapshot.mode) not in (
             ("passive", Mode.PASSIVE),
             ("damping", Mode.DAMPING),

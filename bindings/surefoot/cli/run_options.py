@@ -80,7 +80,10 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _stuck_time(text: str) -> float:
-    """Parse --operator-timeout: at least 0.5 s, because the operator thread also prints lines."""
+    """Parse --operator-timeout [s].
+
+    The value must be at least 0.5 s, because the operator thread also waits while it prints.
+    """
     try:
         value = float(text)
     except ValueError:

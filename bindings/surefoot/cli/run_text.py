@@ -19,13 +19,13 @@ MOTOR_NAMES = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
 
 class LinkWarnings:
-    """Printer of unexpected datagrams on the link; each kind is printed once."""
+    """Printer of a warning for each kind of unexpected datagram; each kind is printed once."""
 
     def __init__(self, print_line: Callable[[str], None]) -> None:
         self._print_line, self._printed = print_line, set[str]()
 
     def update(self, snapshot: RunSnapshot) -> None:
-        """Print new kinds of link errors in the counts of `snapshot`."""
+        """Print the kinds of link errors that `snapshot` counts for the first time."""
         link = snapshot.link
         warnings = {
             "another sender uses this port; its datagrams are ignored": link.strangers,
@@ -60,7 +60,7 @@ class FaultMonitor:
 def status_line(snapshot: RunSnapshot) -> str:
     """Return the state of the robot and the link in one line."""
     link = snapshot.link
-    detail = ""  # height and tilt come from the controller, which estimates them while standing
+    detail = ""  # height and tilt exist only while the stand controller estimates them
     if snapshot.phase == "standing":
         detail = f"height {snapshot.height:.3f} m, tilt {math.degrees(snapshot.tilt):.1f} deg, "
     elif snapshot.phase in ("rising", "sitting"):
@@ -82,7 +82,7 @@ def status_line(snapshot: RunSnapshot) -> str:
 
 
 def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str) -> dict[str, Any]:
-    """Return the summary that --json writes."""
+    """Return the summary of the run that --json writes, as JSON values."""
     names = [name for name in dir(end.link) if not name.startswith("_")]
     times = [name for name in dir(end) if name.startswith(("tick_", "wake_"))]
     return {
@@ -124,7 +124,7 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
 
 
 def closing_text(result: dict[str, Any]) -> str:
-    """Return the summary of run_summary() as text."""
+    """Return the result of run_summary() as text for the operator."""
     us, link = result["us"], result["link"]
     faults = ", ".join(f"{name} {count}" for name, count in result["faults"].items()) or "none"
     return (
@@ -145,7 +145,7 @@ def closing_text(result: dict[str, Any]) -> str:
 
 
 def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
-    """Return the reason why no robot was controlled."""
+    """Return the reason why no robot was controlled, as text for the operator."""
     if end.reason == "wrong_generation":
         return f"the robot at {where} does not use {generation}: {end.last_reject}; see --sdk"
     if end.link.received:

@@ -31,10 +31,13 @@ FELL = 3
 
 
 def stand(arguments: argparse.Namespace) -> int:
-    """Simulate the robot, print a summary and write the requested files; raises Error.
+    """Simulate the robot, print a summary and write the requested files.
 
     Returns:
-        Exit status: 0 if the robot stood, 3 if it fell.
+        Exit status: 0 if the robot stood, 3 if the robot fell.
+
+    Raises:
+        Error: A wrong argument.
     """
     choose_graphics()
     try:
@@ -66,14 +69,14 @@ def stand(arguments: argparse.Namespace) -> int:
 
 
 def read_settings(arguments: argparse.Namespace) -> StandSettings:
-    """Turn arguments into settings; raises Error."""
+    """Return the settings that the arguments give; raise Error if an argument is wrong."""
     from surefoot.sim import PlantSettings
     from surefoot.stand import StandSettings, parse_push, parse_reference
     from surefoot.stand.settings import check_rate
 
     check_rate(arguments.rate)
     robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
+    assert robot is not None  # not None, because a default robot is given
     slope, heading = _parse_numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
     payload, *position = _parse_numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
     plant = PlantSettings(
@@ -107,7 +110,7 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
 
 
 def read_form(text: str) -> QpForm:
-    """Return the QpForm that --form names; raises Error."""
+    """Return the QpForm that --form names; raise Error if the name is unknown."""
     names = {form.name.lower(): form for form in QpForm}
     if text not in names:
         valid = ", ".join(names)
@@ -116,7 +119,11 @@ def read_form(text: str) -> QpForm:
 
 
 def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
-    """Return the robot's gains with those of `file` on top, None without a file; raises Error."""
+    """Return the robot's gains, changed to the values in `file`; None without a file.
+
+    Raises:
+        Error: The file cannot be read, or a gain is unknown or out of range.
+    """
     if file is None:
         return None
     return load_gains(file, build_robot(robot).config.gains)
@@ -125,7 +132,13 @@ def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
 def _parse_numbers(
     option: str, text: str, form: str, counts: tuple[int, ...], size: int
 ) -> tuple[float, ...]:
-    """Parse numbers separated by colons and append zeros up to `size` numbers; raises Error."""
+    """Parse numbers separated by colons, and append zeros until there are `size` numbers.
+
+    `form` is the expected text and `counts` are the accepted numbers of values.
+
+    Raises:
+        Error: The text does not have this form.
+    """
     try:
         values = tuple(float(word) for word in text.split(":"))
     except ValueError:

@@ -33,7 +33,11 @@ def list_robots(arguments: argparse.Namespace) -> None:
 
 
 def list_gains(arguments: argparse.Namespace) -> None:
-    """Print every gain, with the values of a robot or the library's defaults; raises Error."""
+    """Print every gain with its value: of the chosen robot, else the library's default.
+
+    Raises:
+        Error: A wrong argument.
+    """
     gains = Gains()
     description = chosen_robot(arguments)
     if description is not None:

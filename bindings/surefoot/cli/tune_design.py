@@ -18,7 +18,11 @@ __all__ = ["add_options", "run"]
 
 
 def run(arguments: argparse.Namespace) -> int | None:
-    """Design gains, print them and write the requested files; raises Error."""
+    """Design gains, print them and write the requested files.
+
+    Raises:
+        Error: A wrong argument, a goal that cannot be stable, or CasADi is missing.
+    """
     # These imports work without CasADi, so that load_casadi() can report it missing in one line.
     from surefoot.tune.design.closed_loop import load_casadi
     from surefoot.tune.design.gain_design import design_gains

@@ -1,4 +1,4 @@
-"""Options of surefoot tune design, and the settings that they make."""
+"""Options of surefoot tune design, and their conversion to settings."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def _add_loop_options(parser: argparse.ArgumentParser) -> None:
 
 
 def read_settings(arguments: argparse.Namespace) -> DesignSettings:
-    """Turn arguments into settings; raises Error."""
+    """Return the settings that the arguments give; raise Error if an argument is wrong."""
     from surefoot.tune.design.goals import parse_goal
     from surefoot.tune.design.ranges import check_range
     from surefoot.tune.design.settings import DesignSettings
@@ -97,7 +97,7 @@ def read_settings(arguments: argparse.Namespace) -> DesignSettings:
 
     check_range("--joint-friction-scale", arguments.joint_friction_scale, *FRICTION_SCALE_RANGE)
     robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
+    assert robot is not None  # not None, because a default robot is given
     goals = {}
     for axis in _AXES:
         own = getattr(arguments, axis)
@@ -128,7 +128,7 @@ def _timing(arguments: argparse.Namespace) -> Timing:
     )
 
     rate, delay, lag = arguments.rate, arguments.delay_ms, arguments.motor_lag_ms
-    # Check here, so that messages have the options' names and units; the model uses seconds.
+    # Check here, so that messages use the options' names and units (Hz, ms; the model uses s).
     check_range("--rate", rate, *RATE_RANGE, "Hz")
     check_requested_delay(rate, delay / 1000.0, "--rate", "--delay-ms")
     least, most = (1000.0 * end for end in MOTOR_LAG_RANGE)

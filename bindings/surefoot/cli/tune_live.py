@@ -22,7 +22,8 @@ from surefoot.system.terminal import LinePrinter
 if TYPE_CHECKING:
     from surefoot.tune.live.session import Session
 
-ROBOT_PORT = 8007  # UDP port of the robot if --host names none
+# Low-level port of unitree_legged_sdk.
+ROBOT_PORT = 8007  # UDP port of the robot, used if --host gives no port
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -60,7 +61,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Serve the page until Ctrl-C or SIGTERM; raises Error, OSError."""
+    """Serve the page until Ctrl-C or SIGTERM.
+
+    Raises:
+        Error: A wrong argument.
+        OSError: The port of the page is taken or not permitted.
+    """
     choose_graphics()
     try:
         from surefoot.tune.live.gain_file_folder import GainFolder
@@ -69,7 +75,7 @@ def run(arguments: argparse.Namespace) -> None:
     except ModuleNotFoundError as problem:
         raise missing_module("tune live", problem, "tune") from None
     description = chosen_robot(arguments, default="go1")
-    assert description is not None  # there is a default
+    assert description is not None  # not None, because a default robot is given
     own = build_robot(description)
     gains = None if arguments.gains is None else load_gains(arguments.gains, own.config.gains)
     files = GainFolder(arguments.folder, own)
@@ -80,7 +86,7 @@ def run(arguments: argparse.Namespace) -> None:
         page = Page(server, session, files, arguments.plain)
     except BaseException:
         if session is not None:
-            session.close()  # a robot on UDP may already stand
+            session.close()  # end the control of a robot on UDP, which may already stand
         close_server(server)
         raise
     page.start()
@@ -89,7 +95,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.open and not webbrowser.open(url):
         LinePrinter(sys.stderr)(f"--open: no browser could be opened; open {url}")
     try:
-        while not stop_event.wait(0.5):  # an endless wait would not let signals through
+        while not stop_event.wait(0.5):  # without a timeout, wait() would block signals
             page.check()
     finally:
         page.stop()
@@ -122,7 +128,7 @@ def _open_session(
 
 
 def _stop_on_signals() -> threading.Event:
-    """Return an event that SIGINT, SIGTERM and SIGHUP (closed terminal) set from now on."""
+    """Install handlers for SIGINT, SIGTERM and SIGHUP; return the event that they set."""
     stop_event = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda *_: stop_event.set())

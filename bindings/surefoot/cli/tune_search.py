@@ -153,7 +153,10 @@ def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
 
 
 def _progress() -> Callable[[int, int, float], None] | None:
-    """Return a function that draws a bar with the best cost; None if stderr is no terminal."""
+    """Return a function (done, total, best cost) that draws a bar on stderr.
+
+    None: stderr is not a terminal.
+    """
     if not sys.stderr.isatty():
         return None
 

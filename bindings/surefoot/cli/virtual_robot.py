@@ -16,7 +16,8 @@ from surefoot.system.terminal import LinePrinter
 if TYPE_CHECKING:
     from surefoot.virtual_robot import VirtualRobotSettings
 
-LOG_RATE = 100.0  # [Hz]
+# Chosen: bounds the file; docs/virtual-robot.md.
+LOG_RATE = 100.0  # [Hz] default of --log-rate
 
 
 def robot(arguments: argparse.Namespace) -> None:
@@ -34,7 +35,7 @@ def robot(arguments: argparse.Namespace) -> None:
     if arguments.json == "-":
         raise Error("--json: got '-', expected a file: the status lines use stdout")
     check_json_path(arguments.json)
-    if arguments.lying:  # to stderr, because programs read the port from the first line of stdout
+    if arguments.lying:  # print to stderr: programs read the port from the first line of stdout
         print("simulating drops until the robot lies with free legs: some seconds", file=sys.stderr)
     options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
     record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))
@@ -42,11 +43,11 @@ def robot(arguments: argparse.Namespace) -> None:
 
 
 def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
-    """Turn arguments into settings; raises Error."""
+    """Return the settings that the arguments give; raise Error if an argument is wrong."""
     from surefoot.virtual_robot import VirtualRobotSettings, parse_shake, read_remote_script
 
     description = chosen_robot(arguments, default="go1")
-    assert description is not None  # there is a default
+    assert description is not None  # not None, because a default robot is given
     for name in ("delay_ms", "jitter_ms", "timeout_ms"):
         value = getattr(arguments, name)
         if not value >= 0.0:

@@ -1,4 +1,4 @@
-"""The options of surefoot robot."""
+"""Options of surefoot robot."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    # Loaded on first use: only the report needs matplotlib.
+    # Import the report on first use, because only the report needs matplotlib.
     if name == "write_report":
         from surefoot.estimate.report import write_report
 

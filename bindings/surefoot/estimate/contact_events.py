@@ -10,7 +10,8 @@ from surefoot.estimate.estimate_result import Estimate
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 
-THRESHOLD = 0.5
+# Contact confidence: more likely than not.
+THRESHOLD = 0.5  # contact confidence and slip value above which the estimate says yes
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,10 @@ class Transition:
 
 
 def transitions(time: Array, on: Array) -> list[Transition]:
-    """Find the rows where `on` (n, 4) crosses THRESHOLD, in order of time (n,); skip NaN rows."""
+    """Return the rows in which `on` (n, 4) crosses THRESHOLD, in order of `time` (n,) [s].
+
+    Rows with NaN are skipped.
+    """
     known = np.isfinite(on).all(axis=1)
     time, states = time[known], on[known] > THRESHOLD
     rows, legs = np.nonzero(states[1:] != states[:-1])
@@ -45,11 +49,11 @@ def row_durations(estimate: Estimate) -> Array:
 
 
 def slip_events(estimate: Estimate) -> list[dict[str, object]]:
-    """Return the slips, in which Estimate.slip exceeds THRESHOLD: time [s], foot, duration [s]."""
+    """Return time [s], foot and duration [s] of each slip: Estimate.slip is above THRESHOLD."""
     end = float(estimate.time[-1])
     events: list[dict[str, object]] = []
     start_times: dict[int, float] = {}
-    # A first row without slip makes a slip that is under way at the start count.
+    # Put a row without slip first, so that a slip which is present in row 0 also counts.
     time = np.concatenate([estimate.time[:1], estimate.time])
     slip = np.vstack([np.zeros((1, 4)), estimate.slip])
     changes = transitions(time, slip)

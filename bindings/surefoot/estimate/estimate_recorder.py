@@ -12,7 +12,7 @@ from surefoot.geometry.batch_rotations import Array
 
 _DIAGONAL = 16 * np.arange(15)
 _ROTATION = (15 * np.arange(3)[:, None] + np.arange(3)).ravel()
-_COVARIANCE_ENTRIES = np.concatenate([_DIAGONAL, _ROTATION])  # of the flat covariance
+_COVARIANCE_ENTRIES = np.concatenate([_DIAGONAL, _ROTATION])  # indices into the flat covariance
 _UNJUDGED = SensorVerdict.UNJUDGED.value
 
 
@@ -39,7 +39,7 @@ class EstimateRecorder:
         self._verdict_codes = self.verdicts[:1].copy()
 
     def record(self, k: int, status: Status, estimator: StateEstimator, elapsed_us: float) -> None:
-        """Record row k; a rejected row only sets its status, update time and verdicts."""
+        """Record row k; of a rejected row, record only status, update time and verdicts."""
         report = estimator.report
         self.update_us[k] = elapsed_us
         self.status[k] = status.value
@@ -67,7 +67,7 @@ class EstimateRecorder:
         ]
         if (
             verdict_sources != self._last_verdicts
-        ):  # verdicts change rarely, and converting them to integers is slow
+        ):  # convert verdicts only when they change, because the conversion is slow
             self._last_verdicts = verdict_sources
             verdicts = [
                 *verdict_sources[:3],
@@ -77,10 +77,10 @@ class EstimateRecorder:
         self.verdicts[k] = self._verdict_codes
 
     def arrays(self) -> dict[str, Array]:
-        """Return the rows by name; a rejected row repeats the last accepted one."""
+        """Return the arrays by name; a rejected row repeats the last accepted row."""
         count = np.arange(len(self.status))
         last = np.maximum.accumulate(np.where(self.status == Status.OK.value, count, -1))
-        # Rows before the first accepted one take row 0, which is then NaN.
+        # Rows before the first accepted row repeat row 0, which is NaN in this case.
         rows = {name: values[np.maximum(last, 0)] for name, values in self._rows.items()}
         covariance = rows.pop("covariance")
         rows["std"] = np.sqrt(np.maximum(covariance[:, :15], 0.0))

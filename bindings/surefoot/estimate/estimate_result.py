@@ -26,10 +26,10 @@ SENSOR_NAMES = IMU_SENSORS + tuple(f"{name}[{leg}]" for name in FOOT_SENSORS for
 class Estimate:
     """One run of the estimator over a log.
 
-    Row k is the estimate after row rows[k] of the log. Rows that repeat the clock and rows without
-    a finite clock are skipped. A rejected row repeats the last accepted one; rows before the first
-    accepted one are NaN. World z is up; the world frame of the estimator starts under the base,
-    with the heading of the base.
+    Row k is the estimate after row rows[k] of the log. Log rows that repeat the clock, or have no
+    finite clock, are skipped. A rejected row repeats the last accepted row. Rows before the first
+    accepted row are NaN. The origin of the world frame is below the first pose of the base, x has
+    the first heading of the base, and z is up.
 
     Attributes:
         robot: Robot model.
@@ -38,7 +38,7 @@ class Estimate:
         time: (m,) time since the first row of the log [s].
         status: (m,) values of surefoot.Status.
         q: (m, nq) configuration as in Pinocchio: position, quaternion x y z w, joints.
-        v: (m, nv) base twist in base axes, joint velocities.
+        v: (m, nv) base twist in base axes [m/s, rad/s], joint velocities [rad/s].
         contact: (m, 4) contact confidence of each foot.
         std: (m, 15) standard deviations of the errors of rotation (world axes) [rad], v_world
             [m/s], p_world [m], gyroscope bias [rad/s], accelerometer bias [m/s^2].
@@ -51,15 +51,15 @@ class Estimate:
         contact_by_source: (m, 4, 4) evidence of each ContactSource for each foot: 0 off the
             ground, 1 loaded, 0.5 none.
         foot_forces_from_torques: (m, 4) vertical ground force from joint torques [N].
-        refused: (m, 4) whether the innovation gate rejected a foot.
+        refused: (m, 4) true if the innovation gate rejected the measurement of a foot.
         payload: (m,) mass beyond the model [kg].
-        com_shift: (m, 3) centre of mass, loaded minus model, base axes [m].
+        com_shift: (m, 3) centre of mass with payload minus that of the model, base axes [m].
         verdicts: (m, 15) values of surefoot.SensorVerdict for SENSOR_NAMES.
         update_us: (m,) time of StateEstimator.update() [us]; 0 where it was not called.
-        derived: For each column that the log lacks: how its values were made.
+        derived: For each column that the log lacks, by name: the origin of its values, as text.
         non_finite: Number of rows with NaN or infinity, by column.
-        duplicates: Number of rows whose clock repeats the row before; skipped.
-        rows_without_time: Number of rows without a finite clock; skipped.
+        duplicates: Number of rows that were skipped because they repeat the clock of another row.
+        rows_without_time: Number of rows that were skipped because their clock is not finite.
         gaps: Number of steps longer than 0.1 s, the largest dt that the estimator receives.
         longest_gap: Longest step of the clock [s].
         warnings: Findings that make the log or the estimate doubtful.
@@ -97,7 +97,7 @@ class Estimate:
 
     @property
     def valid(self) -> npt.NDArray[np.bool_]:
-        """(m,) whether the estimator has accepted a row so far."""
+        """(m,) true from the first accepted row on."""
         return np.isfinite(self.q[:, 0])
 
     @property

@@ -8,8 +8,10 @@ import numpy as np
 
 from surefoot.geometry.batch_rotations import Array
 
-CUTOFF_HZ = 50.0  # [Hz] 3 ms of delay; encoder steps of 3e-5 rad at 500 Hz leave 0.004 rad/s
-HOLD_TIME = 0.010  # [s] a joint whose angle repeats for longer stands still
+# Derived from delay and noise:
+CUTOFF_HZ = 50.0  # [Hz] delays dq by 3 ms; encoder steps of 3e-5 rad at 500 Hz give 0.004 rad/s
+# Chosen: five samples at 500 Hz; above: a joint that stops must not drift on.
+HOLD_TIME = 0.010  # [s] time after which a joint with a repeated angle counts as still
 METHOD = (
     f"from q: differences between samples, causal first-order low-pass at {CUTOFF_HZ:g} Hz; a "
     f"repeated angle is an old sample for {1000 * HOLD_TIME:g} ms, then a joint at rest"
@@ -19,11 +21,12 @@ METHOD = (
 def derive_velocities(time: Array, q: Array) -> Array:
     """Compute dq (n, 12) [rad/s] from angles q (n, 12) [rad] at times (n,) [s].
 
-    The filter is causal: row k depends on rows 0 .. k only, as on a robot. For each joint it takes
-    the difference over the time dt since the last new angle and low-passes it to first order at
-    50 Hz: dq += (1 - exp(-2 pi 50 Hz dt)) (difference / dt - dq). A log that is faster than the
-    encoders repeats angles. For up to 10 ms dq is held; after that it decays. A row with a
-    non-finite time or angle keeps the last velocity.
+    The filter is causal: row k depends on rows 0 .. k only, as on a robot. dt is the time since
+    the last new angle of a joint. A first-order low-pass at 50 Hz filters difference / dt:
+    dq += (1 - exp(-2 pi 50 Hz dt)) (difference / dt - dq).
+
+    A log that is faster than the encoders repeats angles. While an angle repeats, dq is held for
+    10 ms and then decays. A row with a non-finite time or angle keeps the last velocity.
     """
     dq = np.zeros_like(q)
     velocity = [0.0] * q.shape[1]

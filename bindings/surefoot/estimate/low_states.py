@@ -13,7 +13,9 @@ from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 from surefoot.sensor_log.column_definitions import FOOT_COLUMNS, SENSOR_COLUMNS
 from surefoot.sensor_log.sensor_log import SensorLog
 
+# Chosen: bounds the memory; the overhead of a block is small against its rows.
 CHUNK = 4096  # rows per block: 4 MB of LowStates
+# MotorState::mode of unitree_legged_sdk.
 SERVO_MODE = 0x0A
 _IMU = ("quaternion", "gyroscope", "accelerometer")
 _INT16 = np.iinfo(np.int16)
@@ -58,9 +60,9 @@ def _ticks(log: SensorLog, rows: slice) -> Array:
 
 
 def finite_rows(log: SensorLog) -> tuple[npt.NDArray[np.bool_], dict[str, int]]:
-    """Return whether clock and sensors of each row are finite (n,), and the counts of bad rows.
+    """Return which rows have only finite values (n,), and a count of bad rows by column.
 
-    The counts are the numbers of rows with NaN or infinity by column; zero counts are left out.
+    The count is the number of rows with NaN or infinity in the column. Zero counts are omitted.
     """
     good = np.isfinite(log.time)
     counts = {} if good.all() else {log.clock: int((~good).sum())}

@@ -28,7 +28,7 @@ _VERDICT_COLOURS = {
 
 
 def draw_contact(estimate: Estimate) -> Figure:
-    """Draw each foot's contact confidence, and its vertical force by source and in truth."""
+    """Draw each foot's contact confidence, and its measured and true vertical force."""
     rows = rows_to_plot(estimate)
     time = estimate.time[rows]
     truth = true_rows(estimate, "truth_foot_forces")
@@ -64,7 +64,7 @@ def draw_verdicts(estimate: Estimate) -> Figure:
     colour_index = {verdict.value: k for k, verdict in enumerate(order)}
     rows = rows_to_plot(estimate)
     codes = np.vectorize(colour_index.__getitem__, otypes=[np.int64])(estimate.verdicts[rows])
-    # Each row lasts until the next; rows need not be evenly spaced.
+    # Draw each row until the time of the next row; the rows may be unevenly spaced.
     edges = np.append(estimate.time[rows], estimate.time[-1] + estimate.log.period)
     colours = ListedColormap(list(_VERDICT_COLOURS.values()))
     levels = np.arange(len(SENSOR_NAMES) + 1) - 0.5

@@ -7,10 +7,11 @@ import numpy.typing as npt
 
 from surefoot.estimate.estimate_result import Estimate
 
-MAX_PLOT_ROWS = 20_000  # rows in a plot: ten per pixel
+# Chosen for the size and time of a plot.
+MAX_PLOT_ROWS = 20_000  # largest number of rows in a plot: ten per pixel
 
 
 def rows_to_plot(estimate: Estimate) -> npt.NDArray[np.int64]:
-    """Return the indices of the rows to plot: all, or MAX_PLOT_ROWS evenly spaced ones."""
+    """Return the indices of the rows to plot: all rows, or MAX_PLOT_ROWS evenly spaced rows."""
     count = len(estimate.time)
     return np.unique(np.linspace(0, count - 1, min(count, MAX_PLOT_ROWS)).astype(np.int64))

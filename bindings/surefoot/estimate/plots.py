@@ -29,7 +29,7 @@ AXES = ("x", "y", "z")
 
 
 def draw_path(estimate: Estimate) -> Figure:
-    """Draw the path over ground with the 2-sigma ellipse of its end, and the height."""
+    """Draw the horizontal path with the 2-sigma ellipse at its end, and the height."""
     rows = rows_to_plot(estimate)
     p, std = estimate.q[rows, :3], estimate.std[rows, 6:9]
     figure = Figure(figsize=(9.2, 3.6), layout="constrained")

@@ -16,7 +16,8 @@ from surefoot.estimate.summary_text import (
 )
 from surefoot.reports.page import page_html, plots_html, summary_table_html, tiles_html
 
-MAX_LIST_LINES = 20  # lines of a list on the page; summary.json has all entries
+# Chosen for a page that a person reads.
+MAX_LIST_LINES = 20  # largest number of lines of a list on the page; summary.json has all entries
 
 
 def render_page(summary: dict[str, Any], command: str) -> str:

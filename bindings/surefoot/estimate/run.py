@@ -28,20 +28,20 @@ def run_estimator(
 ) -> Estimate:
     """Run the state estimator over a log.
 
-    For each row the estimator receives a LowState made from the sensor columns, and the time since
-    the last accepted row, at most 0.1 s. The truth_ columns never reach it. A row whose clock
-    repeats is skipped. Columns that the log lacks are zeros, except dq, which derive_velocities()
-    computes from q.
+    For each row the estimator receives a LowState with the sensor columns, and the time since the
+    last accepted row, limited to 0.1 s. It never receives the columns truth_... . A row that
+    repeats the clock is skipped. Columns that the log lacks are zeros, except dq:
+    derive_velocities() computes dq from q.
 
     Args:
-        robot: Robot that the log was taken on.
-        log: Log of its sensors.
-        gains: Gains of the estimator; None for those of the robot.
-        progress: Called with "estimate", the rows done and the rows in total.
+        robot: Robot that the log comes from.
+        log: Log of the robot's sensors.
+        gains: Gains of the estimator. None: the robot's own gains.
+        progress: Called with "estimate", the number of rows done and the number of all rows.
 
     Raises:
-        Error: Gains are out of range, or the log contradicts itself or the robot (units, order of
-            quaternion or legs, signs). Doubtful findings are warnings instead.
+        Error: Gains are out of range, or a check of the log fails (units, orders, signs; see
+            check_log()).
     """
     estimator = StateEstimator(robot)
     if gains is not None:
@@ -96,7 +96,7 @@ def _run_rows(
     recorder: EstimateRecorder,
     progress: Progress | None,
 ) -> None:
-    # Foot forces are integers in a LowState: a NaN would become a number, so skip such rows.
+    # Skip rows with a NaN foot force: in the integer field of a LowState it would be a number.
     foot_forces_finite = np.ones(log.rows, dtype=np.bool_)
     for name in FOOT_COLUMNS:
         if name in log.columns:
@@ -121,6 +121,6 @@ def _run_rows(
         status = estimator.update(state, dt)
         recorder.record(k, status, estimator, 1e-3 * (perf_counter_ns() - start))
         if status == Status.OK:
-            last = time[row]  # the next dt also covers rejected rows
+            last = time[row]  # dt counts from the last accepted row
     if progress is not None:
         progress("estimate", len(rows), len(rows))

@@ -1,4 +1,4 @@
-"""Summary of an estimate in numbers; fields.py lists their meaning."""
+"""Summary of an estimate in numbers; summary_fields.py lists their meanings."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS, COLUMN_BY_NAME
 
-PATH_INTERVAL = 0.1  # [s] between points of the path whose length is computed
+# Chosen. Below: noise of the estimate adds length; above: turns are cut.
+PATH_INTERVAL = 0.1  # [s] time between two points of the polyline whose length is computed
 
 
 def summarise(estimate: Estimate) -> dict[str, Any]:
-    """Compute every field of fields.FIELDS as JSON values; None where there is no value."""
+    """Return every field of summary_fields.FIELDS as a JSON value; None if a field has no value."""
     parts = (
         _log(estimate),
         _end_state(estimate),
@@ -89,7 +90,7 @@ def _end_state(estimate: Estimate) -> dict[str, Any]:
 
 
 def path_length(time: Array, position: Array) -> float:
-    """Compute the length of a path [m] as a polyline with a point every 0.1 s.
+    """Return the length [m] of a path, computed as a polyline with a point every 0.1 s.
 
     Args:
         time: (n,) times [s].

@@ -1,4 +1,4 @@
-"""Text for people about the summary of an estimate."""
+"""Text for the terminal about the summary of an estimate."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ def log_line(s: dict[str, Any]) -> str:
 
 
 def warning_lines(s: dict[str, Any]) -> list[str]:
-    """Return one line for each warning, for ignored columns, and for rejected and bad rows."""
+    """Return one line for each warning, and for ignored columns, rejected rows and bad rows."""
     lines = list(s["warnings"])
     ignored = [
         name for name in s["ignored_columns"] if name not in CLOCK_COLUMNS
-    ]  # a second clock is fine
+    ]  # no warning about a second clock
     if ignored:
         lines.append(f"ignored columns: {', '.join(ignored)}")
     refused = {name: count for name, count in s["statuses"].items() if name != "OK"}

@@ -26,11 +26,11 @@ TRAJECTORY_COLUMNS = {
     "contact": "contact confidence of each foot, FR FL RR RL",
     "slip": "confidence that each loaded foot slips, 0 .. 1",
 }
-"""Columns of a trajectory in order; a CSV splits vectors into p_0, p_1 ..."""
+"""Columns of a trajectory in order; in a CSV, the components of a vector p are p_0, p_1 ..."""
 
 
 def trajectory(estimate: Estimate) -> dict[str, np.ndarray]:
-    """Return the columns of TRAJECTORY_COLUMNS, each (m,) or (m, k)."""
+    """Return the columns of TRAJECTORY_COLUMNS by name, each (m,) or (m, k)."""
     std = estimate.std
     names = {status.value: status.name for status in Status}
     columns = {
@@ -53,5 +53,10 @@ def trajectory(estimate: Estimate) -> dict[str, np.ndarray]:
 
 
 def write_trajectory(path: str | Path, estimate: Estimate) -> None:
-    """Write trajectory() as CSV or NPZ, depending on the suffix; raises Error, OSError."""
+    """Write the result of trajectory() as CSV or NPZ, depending on the suffix of `path`.
+
+    Raises:
+        Error: The suffix is neither .csv nor .npz.
+        OSError: The file cannot be written.
+    """
     write_table(check_table_name(path, "trajectory"), trajectory(estimate))

@@ -12,15 +12,17 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rpy_fro
 from surefoot.messages.low_state_layout import LEGS
 
 GRAVITY = 9.81
+# Chosen. Before: a foot that is unloaded slowly; after: the slowest detection.
 MATCH_BEFORE, MATCH_AFTER = (
     -0.1,
     0.3,
-)  # [s] delay of an estimated transition that matches a true one
-MIN_CONTACT_FORCE = 1.0  # [N] on a loaded foot, where the log has forces but no truth_contact
+)  # [s] range of the delay from a true transition to an estimated transition that matches
+# Chosen: above the rounding of a simulation; far below the weight of a foot.
+MIN_CONTACT_FORCE = 1.0  # [N] force above which a foot is loaded, in a log without truth_contact
 
 
 def truth_summary(estimate: Estimate) -> dict[str, Any]:
-    """Return the fields of the group Truth; None for those whose truth_ column the log lacks."""
+    """Return the fields of the group Truth; a field is None if the log lacks its truth_ column."""
     return {
         "velocity_rmse": _velocity_rmse(estimate),
         "roll_pitch_rmse_deg": _tilt_rmse(estimate),
@@ -31,7 +33,10 @@ def truth_summary(estimate: Estimate) -> dict[str, Any]:
 
 
 def true_rows(estimate: Estimate, name: str) -> Array | None:
-    """Return a truth column at the estimate's rows (m, k); NaN before the first accepted row."""
+    """Return a truth column at the estimate's rows (m, k); NaN before the first accepted row.
+
+    None: the log lacks the column.
+    """
     if name not in estimate.log.columns:
         return None
     values = estimate.log.columns[name][estimate.rows].copy()
@@ -40,13 +45,16 @@ def true_rows(estimate: Estimate, name: str) -> Array | None:
 
 
 def true_rpy(estimate: Estimate) -> Array | None:
-    """Return the true roll, pitch, yaw (m, 3) [rad], or None."""
+    """Return the true roll, pitch, yaw (m, 3) [rad]; None if the log has no true attitude."""
     wxyz = true_rows(estimate, "truth_quaternion")
     return None if wxyz is None else rpy_from_matrices(matrices_from_xyzw(wxyz[:, [1, 2, 3, 0]]))
 
 
 def heading_offset(estimate: Estimate) -> float:
-    """Return the yaw of the estimator's world in the true world [rad]; 0 without true attitude."""
+    """Return the yaw [rad] of the estimator's world axes in the true world axes.
+
+    0: the log has no true attitude.
+    """
     rpy = true_rpy(estimate)
     if rpy is None or not np.isfinite(rpy).any():
         return 0.0

@@ -1,4 +1,4 @@
-"""Fault matrix: inject faults into a supervised robot in simulation and judge the reactions."""
+"""Fault matrix: injects faults into a simulated, supervised robot and judges its reactions."""
 
 from surefoot.faults.catalogue import choose_cells
 from surefoot.faults.matrix.matrix_settings import FaultSettings

@@ -18,13 +18,13 @@ class Case:
     """One injection of a row of the catalogue.
 
     Attributes:
-        injection: One of signal_faults.INJECTIONS.
-        description: Description of the injection.
-        make_fault: Constructs a new fault for each run.
-        expectations: Expected reaction by mode; modes without an entry do not apply.
-        refusal_text: Text that the failed arming checks must contain if arming is refused.
-        level: Power protection level; None for the robot's default level.
-        slow_descent: True if the body must descend slowly even when the motors damp.
+        injection: Kind of the injection, one of signal_faults.INJECTIONS.
+        description: Description of the injection, for tables.
+        make_fault: Function that constructs a new fault for each run.
+        expectations: Expected reaction by mode; the case has no cell for a mode without an entry.
+        refusal_text: Text that the failed arming checks must contain; "" for any text.
+        level: Power protection level; None: the robot's default level.
+        slow_descent: True: the body must descend slowly, also while the motors damp.
     """
 
     injection: str
@@ -41,9 +41,9 @@ class Row:
     """A row of the fault catalogue.
 
     Attributes:
-        id: Short name.
-        fault: Description of the fault.
-        cases: Injections of the fault.
+        id: Short name of the fault.
+        fault: Description of the fault, for tables.
+        cases: Ways to inject the fault.
     """
 
     id: str
@@ -64,20 +64,20 @@ def case(
     slow_descent: bool = False,
     pushed: Expectation | None = None,
 ) -> Case:
-    """Return a case.
+    """Return a case that has one expectation for most of its modes.
 
     Args:
-        injection: See Case.
-        description: See Case.
-        make_fault: See Case.
-        up: Expectation while rising, standing and pushed.
-        lying: Expectation while lying; None if the mode does not apply.
-        rising: Expectation while rising, if it differs from `up`.
-        modes: Modes that apply.
-        refusal_text: See Case.
-        level: See Case.
-        slow_descent: See Case.
-        pushed: Expectation while pushed, if it differs from `up`.
+        injection: Attribute of Case.
+        description: Attribute of Case.
+        make_fault: Attribute of Case.
+        up: Expectation for the modes rising, standing and pushed.
+        lying: Expectation for the mode lying; None: no cell for this mode.
+        rising: Expectation for the mode rising; None: `up`.
+        modes: Modes for which the case has cells.
+        refusal_text: Attribute of Case.
+        level: Attribute of Case.
+        slow_descent: Attribute of Case.
+        pushed: Expectation for the mode pushed; None: `up`.
     """
     expected = {mode: up for mode in modes}
     if "rising" in expected and rising is not None:

@@ -1,4 +1,4 @@
-"""Fault catalogue: all cells of the matrix, rows by injections by modes."""
+"""Fault catalogue: all cells of the matrix, one for each case of a row and each of its modes."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ class Cell:
 
     Attributes:
         row: Row of the catalogue.
-        case: Injection of the row.
-        number: Number of the case among the row's cases of this injection, from 1.
-        mode: Mode in which the fault begins.
+        case: Case of this row.
+        number: Number of the case among the cases of this row with the same injection, from 1.
+        mode: Mode of the robot in which the fault begins.
     """
 
     row: Row
@@ -48,18 +48,18 @@ class Cell:
 
     @property
     def id(self) -> str:
-        """ROW/INJECTION/MODE, with a number after INJECTION from the second such case on."""
+        """ROW/INJECTION/MODE; if `number` is above 1, it follows INJECTION."""
         number = str(self.number) if self.number > 1 else ""
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
 
     @property
     def starts_standing(self) -> bool:
-        """True if the cell applies to a robot that already stands when the supervisor starts."""
+        """True if the cell can also run with a robot that stands when the supervisor starts."""
         return self.mode in ("standing", "pushed") and not self.case.make_fault().from_start
 
     @property
     def expectation(self) -> Expectation:
-        """Expected reaction."""
+        """Expected reaction of the case in this mode."""
         return self.case.expectations[self.mode]
 
 
@@ -79,7 +79,7 @@ def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list
 
     Args:
         patterns: Row ids, or ROW/INJECTION/MODE with the wildcards * and ?.
-        taken_over: True for only the cells that apply to a robot that already stands at the start.
+        taken_over: True: choose only from the cells whose property starts_standing is True.
 
     Raises:
         Error: A pattern matches no cell.
@@ -97,12 +97,16 @@ def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list
 
 
 def find_cell(name: str) -> Cell:
-    """Return the cell with an id; raises Error."""
+    """Return the cell with an id.
+
+    Raises:
+        Error: No cell has this id.
+    """
     return choose_cells([name])[0]
 
 
 def _suggestions(cells: Sequence[Cell], pattern: str) -> str:
-    """Return the cells of the row that a pattern begins with, or else all rows, as text."""
+    """Return suggestions for a pattern: the cells of the pattern's row, or else all rows."""
     row = [cell.id for cell in cells if fnmatchcase(cell.row.id, pattern.partition("/")[0])]
     if row:
         return f"cells: {', '.join(row)}"

@@ -7,12 +7,12 @@ from enum import Enum
 
 from surefoot._core import Error, FaultReaction, fault_table
 
-MAX_HOLD_TIME = 0.010  # [s] limit of a command hold: kHoldTime (common/command_times.hpp)
-TIME_TOLERANCE = 1e-9  # [s] numerical: rounding of times that are sums of periods
+MAX_HOLD_TIME = 0.010  # [s] longest command hold: kHoldTime (common/command_times.hpp)
+TIME_TOLERANCE = 1e-9  # [s] tolerance of times. Numerical: rounding of sums of control periods
 
 
 class Reaction(Enum):
-    """Expected reaction; the values are its names in tables."""
+    """Expected reaction; the value of each member is its name in tables."""
 
     WATCH = "goes on"
     DEGRADE = "goes on with less"
@@ -28,10 +28,11 @@ class Expectation:
 
     Attributes:
         reaction: Expected reaction.
-        within: Time limit since the fault began [s]; for sitting down, until the descent begins.
-        fault: Name in fault_table() that the supervisor must report; "" for none.
-        alternative: Name of a fault for which the robot may damp instead; for faults that only a
-            moving robot can detect.
+        within: Longest time from the start of the fault until the reaction [s]. The reaction SIT
+            begins with the descent.
+        fault: Name of the fault in fault_table() that the supervisor must report; "" for none.
+        alternative: Name of a fault in fault_table(). If the supervisor detects this fault, damping
+            is a correct reaction too. For faults that only a moving robot can detect. "" for none.
     """
 
     reaction: Reaction
@@ -41,26 +42,29 @@ class Expectation:
 
 
 WATCH = Expectation(Reaction.WATCH)
-REFUSE = Expectation(Reaction.REFUSE, 0.020)  # kStaleTime (common/command_times.hpp)
+REFUSE = Expectation(Reaction.REFUSE, 0.020)  # [s] kStaleTime (common/command_times.hpp)
 
 
 def expect_damp(within: float) -> Expectation:
-    """Expect damping within a time [s], for any fault."""
+    """Return the expectation that the robot damps within a time [s], for any fault."""
     return Expectation(Reaction.DAMP, within)
 
 
 def expect_refusal(within: float) -> Expectation:
-    """Expect that arming and rising are refused within a time [s]."""
+    """Return the expectation that arming and rising are refused within a time [s]."""
     return Expectation(Reaction.REFUSE, within)
 
 
 def expect_stay_down(fault: str) -> Expectation:
-    """Expect that a rise ends in latched damping for a fault before the body leaves the ground."""
+    """Return the expectation that the body stays on the ground when a rise is requested.
+
+    The supervisor must detect a fault and latch damping for it.
+    """
     return replace(table_expectation(fault), reaction=Reaction.STAY)
 
 
 def watch_unless(fault: str) -> Expectation:
-    """Expect that the robot goes on, or that it detects a fault and damps for it."""
+    """Return the expectation that the robot goes on, or detects a fault and damps for it."""
     return Expectation(Reaction.WATCH, alternative=_table_row(fault).fault)
 
 
@@ -69,14 +73,21 @@ def table_expectation(fault: str, delay: float = 0.0) -> Expectation:
 
     Args:
         fault: Name of the fault.
-        delay: Time from the injection until the time of the table begins to count [s].
+        delay: Time from the injection until the detection time of the table begins [s].
     """
     row = _table_row(fault)
     return replace(row, within=row.within + delay)
 
 
 def expect_sit(fault: str, delay: float = 0.0) -> Expectation:
-    """Expect that the robot sits down for a fault at which a standing robot would go on."""
+    """Return the expectation that the robot sits down for a fault.
+
+    For faults that fault_table() lists with a weaker reaction, which applies to a standing robot.
+
+    Args:
+        fault: Name of the fault.
+        delay: Time from the injection until the detection time of the table begins [s].
+    """
     return replace(table_expectation(fault, delay), reaction=Reaction.SIT)
 
 

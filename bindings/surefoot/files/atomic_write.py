@@ -10,11 +10,15 @@ from pathlib import Path
 
 @contextmanager
 def atomic_path(path: Path) -> Iterator[Path]:
-    """Yield a temporary path beside `path`, and move it to `path` on success; raises OSError.
+    """Yield a temporary path beside `path`; on success, move the temporary file to `path`.
 
-    A symbolic link stays a link: its target is replaced. A pipe or a device is written directly.
+    If `path` is a symbolic link, its target is replaced and the link stays. If `path` is a pipe or
+    a device, `path` itself is yielded.
+
+    Raises:
+        OSError: The file cannot be moved.
     """
-    # Test before path.resolve(): the target of /dev/stdout may have no name.
+    # Check this before path.resolve(), because the target of /dev/stdout may have no name.
     if path.exists() and not path.is_file():
         yield path
         return
@@ -28,6 +32,6 @@ def atomic_path(path: Path) -> Iterator[Path]:
 
 
 def write_text_atomically(path: Path, text: str) -> None:
-    """Write a text file atomically, in UTF-8; raises OSError."""
+    """Write a text file atomically, in UTF-8; raise OSError if the file cannot be written."""
     with atomic_path(path) as beside:
         beside.write_text(text, encoding="utf-8")

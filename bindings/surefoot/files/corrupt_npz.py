@@ -13,7 +13,7 @@ CORRUPT_NPZ = (
     RuntimeError,  # includes NotImplementedError: an unknown compression method
     zipfile.BadZipFile,
     zlib.error,
-    # The header of an array is a Python literal that numpy parses before zipfile checks the CRC.
+    # numpy parses an array's header as a Python literal before zipfile checks the CRC.
     tokenize.TokenError,
     SyntaxError,
     TypeError,

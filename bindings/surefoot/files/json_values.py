@@ -9,7 +9,7 @@ import numpy as np
 
 
 def json_value(value: Any) -> Any:
-    """Convert a value for JSON: floats to six significant digits, NaN and infinity to None."""
+    """Return a value for JSON: floats with six significant digits, None for NaN and infinity."""
     if isinstance(value, dict):
         return {str(name): json_value(item) for name, item in value.items()}
     if isinstance(value, np.ndarray):

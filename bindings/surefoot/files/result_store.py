@@ -13,7 +13,7 @@ from surefoot._core import Error
 
 
 class ResultStore:
-    """Results by name and key, in a file of JSON lines. The first line identifies the run.
+    """Results by name and key, kept in a file of JSON lines. Its first line identifies the run.
 
     Attributes:
         results: The results so far, by (name, key).
@@ -23,7 +23,7 @@ class ResultStore:
         self._handle, self.results = handle, results
 
     def add(self, name: str, key: str, result: dict[str, Any]) -> None:
-        """Keep a result and flush it to the operating system."""
+        """Keep a result, and flush its line to the operating system."""
         self.results[name, key] = result
         if self._handle is not None:
             line = json.dumps({"who": name, "key": key, "result": result}, allow_nan=False)
@@ -35,15 +35,16 @@ class ResultStore:
 def open_result_store(
     path: str | None, kind: str, run_identity: dict[str, Any]
 ) -> Iterator[ResultStore]:
-    """Open a store, or keep results in memory only.
+    """Yield an open store with the results so far.
 
     Args:
-        path: The file, created if missing; None keeps results in memory.
+        path: The file, created if missing. None: the store keeps results in memory only.
         kind: Command that makes the results.
-        run_identity: Settings that must be equal for a run to resume.
+        run_identity: Settings of the run. A run resumes only from a store with equal settings.
 
     Raises:
-        Error: The file is no store, or of a run with other settings, or another process uses it.
+        Error: The file is not a store, belongs to a run with other settings, or is in use by
+            another process.
         OSError: The file cannot be written.
     """
     if path is None:
@@ -57,7 +58,7 @@ def open_result_store(
         entries, end = _read_entries(path, kind, handle)
         if entries:
             _check_same_run(path, entries[0][kind], run_identity)
-        # The store belongs to this run. Cut off an incomplete last line of a killed run.
+        # Cut off the incomplete last line that a killed run may have left.
         handle.truncate(end)
         handle.seek(0, 2)
         if not entries:
@@ -67,7 +68,7 @@ def open_result_store(
 
 
 def _read_entries(path: str, kind: str, handle: IO[bytes]) -> tuple[list[dict[str, Any]], int]:
-    """Return the entries, and the offset [bytes] after the last complete line."""
+    """Return the entries of all complete lines, and the offset [bytes] after the last of them."""
     handle.seek(0)
     content = handle.read()
     whole, newline, rest = content.rpartition(b"\n")

@@ -10,12 +10,15 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.files.atomic_write import atomic_path
 
-_DIGITS = {np.dtype(np.float32): "%.9g", np.dtype(np.float64): "%.17g"}  # lossless
+_DIGITS = {np.dtype(np.float32): "%.9g", np.dtype(np.float64): "%.17g"}  # formats without loss
 _CHUNK = 4096  # rows converted to text at a time
 
 
 def check_table_name(path: str | Path, what: str) -> Path:
-    """Return the path of a table; raises Error unless it ends in .csv or .npz."""
+    """Return the path of a table; raise Error unless it ends in .csv or .npz.
+
+    `what` names the table in the message.
+    """
     path = Path(path)
     if path.suffix.lower() not in (".csv", ".npz"):
         raise Error(f"{what}: got '{path}', expected a name ending in .csv or .npz")
@@ -23,7 +26,11 @@ def check_table_name(path: str | Path, what: str) -> Path:
 
 
 def write_table(path: Path, table: Mapping[str, np.ndarray]) -> None:
-    """Write arrays (n,) or (n, k) as NPZ if the name ends in .npz, else as CSV; raises OSError."""
+    """Write arrays (n,) or (n, k) as NPZ if the name ends in .npz, else as CSV.
+
+    Raises:
+        OSError: The file cannot be written.
+    """
     if path.suffix.lower() == ".npz":
         write_npz(path, table)
     else:
@@ -31,8 +38,12 @@ def write_table(path: Path, table: Mapping[str, np.ndarray]) -> None:
 
 
 def write_npz(path: Path, table: Mapping[str, np.ndarray]) -> None:
-    """Write arrays (n,) or (n, k) under their names; raises OSError."""
-    # Pass an open file: numpy would append .npz to a path that ends in .NPZ.
+    """Write arrays (n,) or (n, k) as NPZ under their names.
+
+    Raises:
+        OSError: The file cannot be written.
+    """
+    # Pass an open file, because numpy would append .npz to a path that ends in .NPZ.
     with atomic_path(path) as place, place.open("wb") as file:
         np.savez_compressed(file, allow_pickle=False, **table)
 

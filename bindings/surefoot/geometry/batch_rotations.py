@@ -1,4 +1,4 @@
-"""Conversions of batches of rotations; n is the number of rows."""
+"""Conversions of n rotations at once; arrays have n rows."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def rpy_from_matrices(rotation: Array) -> Array:
 
 
 def rotation_vectors(rotation: Array) -> Array:
-    """Return the rotation vectors (n, 3) [rad] of matrices (n, 3, 3); angles must be below pi."""
+    """Return the rotation vectors (n, 3) [rad] of matrices (n, 3, 3) with angles below pi."""
     R = rotation
     twice_sine = np.stack(
         [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1

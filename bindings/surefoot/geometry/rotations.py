@@ -43,7 +43,7 @@ def wxyz_from_rotation_vector(vector: npt.ArrayLike) -> Array:
 def slope_quaternion(slope_deg: float, heading_deg: float) -> Array:
     """Return the orientation w x y z of a ground plane with the given slope and heading.
 
-    It is the shortest rotation from the horizontal plane to the slope.
+    The orientation is the shortest rotation from the horizontal plane to the slope.
 
     Args:
         slope_deg: Steepness [deg].

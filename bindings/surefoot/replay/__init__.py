@@ -1,4 +1,7 @@
-"""Recording and replay: a new controller gets the same inputs, and its commands are compared."""
+"""Recording of a controller, and replay: runs a new controller on the recorded inputs.
+
+A replay compares the commands of the new controller with the recorded ones.
+"""
 
 from surefoot.replay.play import Difference, Replay, play
 from surefoot.replay.recorder import Recorder

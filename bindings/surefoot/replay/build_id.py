@@ -1,4 +1,4 @@
-"""Identity of the build of the library: commands are bit-identical only on the same build."""
+"""Identity of the compiled library: only the same build computes bit-identical commands."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from surefoot import _core
 def build_id() -> str:
     """Return 16 hexadecimal digits that identify the bytes of the compiled library.
 
-    The processor is not included. On another processor the system's mathematics library may use
-    other instructions, which round differently.
+    The digits do not depend on the processor. On another processor the mathematics library of the
+    system may use other instructions, which round differently, so commands may differ despite an
+    equal build_id().
     """
     module = Path(_core.__file__)
     digest = hashlib.sha256(module.read_bytes())

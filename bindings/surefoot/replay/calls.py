@@ -1,4 +1,4 @@
-"""Calls of a controller other than update(), and conversion of their arguments to JSON and back."""
+"""Calls of a controller except update(), and conversion of their arguments to JSON and back."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _AXES = ("x", "y", "height", "roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class _CallCodec:
-    """Conversions of a call's argument to JSON and back; None if the call has no argument."""
+    """Functions that convert a call's argument to JSON and back; None: the call has no argument."""
 
     to_json: Callable[[Any], Any] | None = None
     from_json: Callable[[Any], Any] | None = None
@@ -32,11 +32,18 @@ CALLS = {
     ),
     "set_gains": _CallCodec(gain_values, gains_from_values),
 }
-"""Calls that a recording keeps, by name of the controller's method."""
+"""Calls that a recording contains, by the name of the controller's method."""
 
 
 def json_argument(name: str, *arguments: Any) -> Any:
     """Convert a call's argument to a JSON value.
+
+    Args:
+        name: Name of the call in CALLS.
+        arguments: The argument of the call; none if the call has no argument.
+
+    Returns:
+        The JSON value; None if the call has no argument.
 
     Raises:
         Error: CALLS has no such call, or the arguments do not fit it.
@@ -54,7 +61,16 @@ def json_argument(name: str, *arguments: Any) -> Any:
 
 
 def repeat_call(controller: Any, name: str, argument: Any) -> str:
-    """Repeat a recorded call and return answer_name() of its result; raises Error."""
+    """Repeat a recorded call and return answer_name() of its result.
+
+    Args:
+        controller: Controller to call.
+        name: Name of the call in CALLS.
+        argument: Argument as a JSON value; ignored if the call has no argument.
+
+    Raises:
+        Error: The controller has no such method, or the argument is invalid.
+    """
     codec = _codec(name)
     method = getattr(controller, name, None)
     if method is None:
@@ -67,7 +83,7 @@ def repeat_call(controller: Any, name: str, argument: Any) -> str:
 
 
 def answer_name(answer: Any) -> str:
-    """Return the name of a RequestStatus, or "" for any other value."""
+    """Return the name of a RequestStatus; "" if the answer is of another type."""
     return answer.name if isinstance(answer, RequestStatus) else ""
 
 

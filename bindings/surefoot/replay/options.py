@@ -11,12 +11,26 @@ Options = TypeVar("Options")
 
 
 def json_options(options: Any) -> dict[str, Any]:
-    """Return all options by name; enums become their names, nested options become dicts."""
+    """Return all options as JSON values by name; the value of an enum is its name.
+
+    Nested StandOptions become a dict.
+    """
     return {name: _json_value(getattr(options, name)) for name in _names(options)}
 
 
 def options_from_json(values: dict[str, Any], options: Options) -> Options:
-    """Set all options of `options` from `values` and return it; raises Error if names differ."""
+    """Set all options from JSON values.
+
+    Args:
+        values: Values of all options, as from json_options().
+        options: Options that this function changes in place.
+
+    Returns:
+        The argument `options`.
+
+    Raises:
+        Error: The names of the options differ, or a value is invalid.
+    """
     if set(values) != set(_names(options)):
         differing = ", ".join(sorted(set(values) ^ set(_names(options))))
         raise Error(

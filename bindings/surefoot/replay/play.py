@@ -16,6 +16,7 @@ from surefoot.replay.calls import repeat_call
 from surefoot.replay.recording import Bytes, Call, Recording
 
 Progress = Callable[[str, int, int], None]
+"""Function that receives the name of an activity, the steps done, and the total of its steps."""
 
 
 @dataclass(frozen=True)
@@ -23,9 +24,9 @@ class Difference:
     """First difference between a recording and its replay.
 
     Attributes:
-        row: Row of the recording; the number of rows for a call after the last update().
-        tick: LowState.tick of that row [ms].
-        field: Field of LowCmd, such as motorCmd[4].tau, or the call whose answer differs.
+        row: Row of the recording; the number of rows if a call after the last update() differs.
+        tick: LowState.tick of this row [ms]; of the last row for a call after the last update().
+        field: Field of LowCmd, such as motorCmd[4].tau, or "answer of NAME()" for a call.
         logged: Value in the recording.
         replayed: Value in the replay.
     """
@@ -42,10 +43,10 @@ class Replay:
     """Result of a replay.
 
     Attributes:
-        commands: Bytes of the replayed LowCmds, shape (n, 734).
+        commands: (n, 734) bytes of the replayed LowCmds.
         differing: Number of rows whose commands differ in any byte.
-        first: First difference; None if commands and answers are identical.
-        same_build: True if this build of the library made the recording.
+        first: First difference; None if all commands and answers are identical.
+        same_build: True if the recording was made with the same build of the library.
     """
 
     commands: Bytes
@@ -59,12 +60,12 @@ def play(recording: Recording, robot: Robot, progress: Progress | None = None) -
 
     Args:
         recording: Recording to replay.
-        robot: Robot of the recorded controller.
-        progress: Called as progress("replay", done, total) after each tick.
+        robot: Model of the robot, with the name in the recording.
+        progress: Function that is called as progress("replay", done, total) after each tick.
 
     Raises:
-        Error: `recording` is no Recording, the robot has another name, or gains or options are
-            invalid.
+        Error: `recording` is not a Recording, the robot has another name, or the recording has
+            invalid gains, options or calls.
     """
     if not isinstance(recording, Recording):
         raise Error(
@@ -103,7 +104,7 @@ def play(recording: Recording, robot: Robot, progress: Progress | None = None) -
 
 
 def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Difference:
-    """Return the first field in which two commands differ."""
+    """Return the difference in the first field in which two commands differ."""
     byte = int(np.flatnonzero(logged != replayed)[0])
     name, kind, start = field_at(LOW_CMD, byte)
     span = slice(start, start + kind.itemsize)
@@ -114,7 +115,12 @@ def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Differen
 
 
 def field_at(layout: np.dtype[Any], byte: int) -> tuple[str, np.dtype[Any], int]:
-    """Return name, type and first byte of the field that contains byte `byte` of a struct."""
+    """Return name, type and first byte of the field that contains a byte of a struct.
+
+    Args:
+        layout: Type of the struct.
+        byte: Number of the byte, from 0.
+    """
     if layout.subdtype is not None:
         element = layout.subdtype[0]
         index, offset = divmod(byte, element.itemsize)

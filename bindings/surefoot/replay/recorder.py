@@ -19,21 +19,21 @@ from surefoot.replay.recording import (
 
 
 class Recorder:
-    """A controller whose inputs and commands are recorded.
+    """A controller, and the recording of its inputs and commands.
 
-    Only update() and call() are recorded; use them from one thread. Reading the state of the
-    controller needs no recording.
+    The recording contains the calls of update() and call(); make them from one thread. Calls that
+    only read the state of the controller can go to `controller` directly.
 
     Args:
-        robot: Robot of the controller.
+        robot: Model of the robot.
         options: StandOptions for a StandController, SupervisorOptions for a Supervisor.
-        gains: Gains of the controller; None: the robot's own.
+        gains: Gains of the controller; None: the robot's own gains.
 
     Raises:
-        Error: As the constructor of the controller.
+        Error: The constructor of the controller raised this error, for example for an invalid gain.
 
     Attributes:
-        controller: The controller.
+        controller: The controller, a StandController or a Supervisor.
     """
 
     def __init__(self, robot: Robot, options: Options, gains: Gains | None = None) -> None:
@@ -53,7 +53,15 @@ class Recorder:
         return command
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """Call and record one of calls.CALLS, and return its result; raises Error."""
+        """Call a method of the controller, record the call, and return its result.
+
+        Args:
+            name: Name of the method, one of calls.CALLS.
+            arguments: The argument of the method; none if the method has no argument.
+
+        Raises:
+            Error: The controller has no such method, or the arguments do not fit the method.
+        """
         argument = json_argument(name, *arguments)
         method = getattr(self.controller, name, None)
         if method is None:
@@ -65,7 +73,7 @@ class Recorder:
         return answer
 
     def recording(self) -> Recording:
-        """Return the recording so far."""
+        """Return the recording up to now."""
         samples, commands = (
             np.frombuffer(b"".join(rows), dtype=np.uint8).reshape(len(rows), width)
             for rows, width in (

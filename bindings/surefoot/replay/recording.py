@@ -1,4 +1,4 @@
-"""Recording of a controller: all inputs in order, and all commands."""
+"""Recording of a controller: all its inputs in order, and all its commands."""
 
 from __future__ import annotations
 
@@ -33,13 +33,14 @@ _CONTROLLERS: dict[str, tuple[type[Controller], type[Options]]] = {
 
 @dataclass(frozen=True)
 class Call:
-    """Call of the controller other than update(), from the thread that updates it.
+    """Call of the controller except update().
 
     Attributes:
-        row: The call came between update() of row - 1 and update() of row.
-        name: One of calls.CALLS.
-        argument: Argument as a JSON value; None without an argument.
-        answer: Name of the returned RequestStatus; "" if the call returned none.
+        row: The call was made after update() of row - 1 and before update() of row.
+        name: Name of the controller's method, one of calls.CALLS.
+        argument: Argument as a JSON value; None: the method has no argument.
+        answer: Name of the returned RequestStatus; "" if the method does not return a
+            RequestStatus.
     """
 
     row: int
@@ -50,19 +51,20 @@ class Call:
 
 @dataclass(frozen=True)
 class Recording:
-    """One run of a controller, from its construction on.
+    """One run of a controller, beginning with its construction.
 
-    Not included are the robot's model, user-defined tasks, and the calls of a link besides update()
-    (Supervisor.update_without_state(), lose(), count_samples()).
+    The recording does not contain the model of the robot, user-defined tasks, and the calls by
+    which a link reports missing samples (Supervisor.update_without_state(), lose(),
+    count_samples()).
 
     Attributes:
         kind: "StandController" or "Supervisor".
         robot: Name of the robot.
         gains: Gains passed to the constructor, by name.
         options: Options passed to the constructor, by name.
-        samples: Bytes of the LowStates, one per update(), shape (n, 937).
-        commands: Bytes of the returned LowCmds, shape (n, 734).
-        calls: Calls other than update(), in order.
+        samples: (n, 937) bytes of the LowStates, one row per update().
+        commands: (n, 734) bytes of the returned LowCmds.
+        calls: Calls except update(), in the order in which they were made.
         build: build_id() of the library that made the recording.
     """
 
@@ -76,14 +78,28 @@ class Recording:
     build: str = field(default_factory=build_id)
 
     def make(self, robot: Robot) -> Controller:
-        """Construct the recorded controller again; raises Error if the robot has another name."""
+        """Construct the recorded controller again, in its initial state.
+
+        Raises:
+            Error: The robot has another name, or the gains or options are invalid.
+        """
         if robot.name != self.robot:
             raise Error(f"robot: got '{robot.name}', expected '{self.robot}' as in the log")
         return make_controller(robot, gains_from_values(self.gains), self.kind, self.options)
 
 
 def make_controller(robot: Robot, gains: Gains, kind: str, options: dict[str, Any]) -> Controller:
-    """Construct a controller of the given kind; raises Error."""
+    """Construct a controller.
+
+    Args:
+        robot: Model of the robot.
+        gains: Gains of the controller.
+        kind: "StandController" or "Supervisor".
+        options: Options as JSON values by name.
+
+    Raises:
+        Error: The kind is unknown, or the options are invalid.
+    """
     if kind not in _CONTROLLERS:
         raise Error(f"log: got controller '{kind}', expected {' or '.join(_CONTROLLERS)}")
     controller, options_class = _CONTROLLERS[kind]
@@ -95,7 +111,11 @@ def make_controller(robot: Robot, gains: Gains, kind: str, options: dict[str, An
 
 
 def controller_kind(options: Options) -> str:
-    """Return the kind of controller that has these options; raises Error."""
+    """Return the kind of the controller that has these options.
+
+    Raises:
+        Error: `options` is neither StandOptions nor SupervisorOptions.
+    """
     for kind, (_, options_class) in _CONTROLLERS.items():
         if isinstance(options, options_class):
             return kind
@@ -104,7 +124,7 @@ def controller_kind(options: Options) -> str:
 
 
 def recording_header(robot: Robot, gains: Gains | None, options: Options) -> dict[str, Any]:
-    """Return the fields of a Recording that are known when its controller is constructed."""
+    """Return the fields of a Recording that are known when the controller is constructed."""
     return {
         "kind": controller_kind(options),
         "robot": robot.name,

@@ -1,4 +1,4 @@
-"""Recordings as arrays of an NPZ file, alone or together with the columns of a sensor log."""
+"""Recordings as arrays of an NPZ file, which may also contain the columns of a sensor log."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _KEYS = {"kind": str, "robot": str, "gains": dict, "options": dict, "build": str
 
 
 def recording_columns(recording: Recording) -> dict[str, np.ndarray]:
-    """Return a recording as arrays by name: samples and commands as bytes, the rest as JSON."""
+    """Return the arrays of a recording by name: samples and commands as bytes, the rest as JSON."""
     header = {name: value for name, value in vars(recording).items() if name in _KEYS}
     header["calls"] = [asdict(call) for call in recording.calls]
     return {
@@ -34,12 +34,20 @@ def recording_columns(recording: Recording) -> dict[str, np.ndarray]:
 
 
 def write_recording(path: str | Path, recording: Recording) -> None:
-    """Write a recording to its own NPZ file; raises OSError."""
+    """Write a recording to an NPZ file without other columns.
+
+    Raises:
+        OSError: The file cannot be written.
+    """
     write_npz(Path(path), recording_columns(recording))
 
 
 def read_recording(path: str | Path) -> Recording:
-    """Read a recording from an NPZ file; raises Error if it has none, or a corrupt one."""
+    """Read a recording from an NPZ file.
+
+    Raises:
+        Error: The file cannot be read, contains no recording, or is corrupt.
+    """
     path = Path(path)
     if path.suffix.lower() != ".npz":
         raise Error(f"log: got '{path}', expected a .npz file: a CSV lacks the options and calls")
@@ -61,7 +69,11 @@ def read_recording(path: str | Path) -> Recording:
 
 
 def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -> Recording:
-    """Return the recording in the arrays of a file; raises Error if they do not fit together."""
+    """Return the recording that the arrays of a file contain.
+
+    Raises:
+        Error: An array or the header has a wrong type, shape or format.
+    """
     for name, rows, width in (
         (_REPORTS, samples, len(LowState().raw)),
         (_COMMANDS, commands, len(LowCmd().raw)),

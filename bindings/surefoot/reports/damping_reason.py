@@ -6,7 +6,7 @@ from surefoot._core import RunSnapshot
 
 
 def damping_reason(snapshot: RunSnapshot) -> str:
-    """Return the reason of the last damping, with the fault, power or time that caused it."""
+    """Return why the robot last damped, with the fault, the power or the time as the cause."""
     if snapshot.reason == "stale":
         return f"stale: no LowState for {1000 * snapshot.silence_time:.0f} ms"
     if snapshot.reason == "away":

@@ -1,4 +1,4 @@
-"""Parts of report pages: style sheet, tiles, plots and the table of numbers. No script."""
+"""Parts of report pages: style sheet, tiles, plots and the table of numbers; no script."""
 
 from __future__ import annotations
 
@@ -55,11 +55,11 @@ class FieldEntry(Protocol):
 
     @property
     def meaning(self) -> str:
-        """Meaning in one sentence or less."""
+        """Meaning of the number in at most one sentence."""
 
     @property
     def group(self) -> str:
-        """Heading of its part of the table."""
+        """Heading of the part of the table that shows the number."""
 
 
 class PlotFile(Protocol):
@@ -96,7 +96,7 @@ def page_html(title: str, body: str) -> str:
 
 
 def tiles_html(tiles: Iterable[tuple[str, str]]) -> str:
-    """Return tiles of (name, value), both HTML."""
+    """Return one tile for each (name, value) as HTML; both texts are HTML."""
     return "".join(
         f'<div class="tile"><b>{value}</b><span>{name}</span></div>' for name, value in tiles
     )

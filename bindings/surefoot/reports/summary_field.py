@@ -12,8 +12,8 @@ class Field:
     Attributes:
         name: Key in the summary.
         unit: Unit; "" for words, counts and ratios.
-        meaning: Meaning in one sentence or less.
-        group: Heading of its part of the table.
+        meaning: Meaning of the number in at most one sentence.
+        group: Heading of the part of the table that shows the number.
     """
 
     name: str

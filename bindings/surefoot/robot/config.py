@@ -14,7 +14,15 @@ _LEG_JOINTS = ("hip", "thigh", "calf")
 
 
 def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
-    """Build the configuration from a pinocchio.Model and a table of read_table(); raises Error."""
+    """Build the configuration of a robot.
+
+    Args:
+        model: The pinocchio.Model, with a free-flyer root.
+        table: The robot's TOML, as returned by read_table().
+
+    Raises:
+        Error: The model lacks a joint or frame that the table names, or a gain is invalid.
+    """
     config = RobotConfig()
     robot, feet, motors = table["robot"], table["feet"], table["motors"]
     config.name = robot["name"]
@@ -22,6 +30,7 @@ def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
     config.joint_names = robot["joints"]
     config.foot_frames = feet["frames"]
     config.foot_radius = float(feet["radius"])
+    # The default of RobotConfig::friction, chosen: rubber on a smooth floor.
     config.friction = float(robot.get("friction", 0.6))
     config.q_standing = per_motor(robot["standing"], "robot.standing")
     config.armature = per_motor(motors["armature"], "motors.armature")
@@ -92,7 +101,13 @@ def _set_limits(
 
 
 def per_motor(values: list[float], field: str) -> np.ndarray:
-    """Return twelve values: three (hip, thigh, calf) are repeated for each leg; raises Error."""
+    """Return an array (12,) in motor order from 12 values, or from 3 (hip, thigh, calf).
+
+    Three values are repeated for each leg. `field` names the values in the message.
+
+    Raises:
+        Error: `values` has neither 3 nor 12 entries.
+    """
     if len(values) not in (3, 12):
         raise Error(f"{field}: got {len(values)} values, expected 3 (hip, thigh, calf) or 12")
     return np.array(values * (12 // len(values)), dtype=float)

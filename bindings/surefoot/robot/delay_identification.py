@@ -9,10 +9,14 @@ import numpy.typing as npt
 
 from surefoot._core import Error
 
-_RESOLUTION = 0.25e-3  # [s] resolution of the search
-_DIFFERENCE_TIME = 0.01  # [s] over which torque changes are taken; motor lag blurs shorter ones
-_MIN_TORQUE_CHANGE = 0.02  # [N.m] RMS change of torque between samples; less is noise
-_MIN_FIT = 0.8  # least share of the changes of tauEst that the delayed commands explain
+# Chosen: an eighth of a period at 500 Hz. tests/closed_loop/test_delay_identification.py.
+_RESOLUTION = 0.25e-3  # [s] step between two delays that the search tries
+# Chosen: above a motor lag of 1 to 4 ms; below: body motion changes tauEst by itself.
+_DIFFERENCE_TIME = 0.01  # [s] interval of a torque change; motor lag blurs shorter changes
+# Chosen: above the resolution of torques in a frame, 1/256 N.m.
+_MIN_TORQUE_CHANGE = 0.02  # [N.m] smallest RMS torque change per tick that is more than noise
+# Chosen: 1 without noise; a robot at rest or a wrong log explains less.
+_MIN_FIT = 0.8  # smallest accepted result of _explained_share()
 
 Array = npt.NDArray[np.float64]
 
@@ -20,25 +24,25 @@ Array = npt.NDArray[np.float64]
 def identify_delay(
     tau_sent: Any, tau_reported: Any, period: float, max_delay: float = 0.05
 ) -> float:
-    """Identify the delay from measurement to action, from the log of a small excitation.
+    """Identify the delay from a measurement until its command acts, from a log of small motions.
 
     The model is tau_reported(t) = k tau_sent(t - delay) + noise, with a gain k per joint. The fit
     compares torque changes over 10 ms, so friction and offsets cancel. It searches delays from 0
-    to `max_delay` in steps of 0.25 ms. Motor lag acts as delay and is included.
+    to `max_delay` in steps of 0.25 ms. The identified delay includes the motor lag.
 
     To record the log, let the robot stand and set in every tick, with t in seconds,
     BodyReference(height=0.01 * sin(20 * t), roll=0.03 * sin(31 * t)). Set the gains
     reference_acceleration to 10 and reference_turn_acceleration to 100. Log two seconds.
 
     Args:
-        tau_sent: LowCmd motorCmd[i].tau of every tick, shape (n, 12) [N.m].
-        tau_reported: LowState motorState[i].tauEst from which the command of the same tick was
-            computed, shape (n, 12) [N.m].
+        tau_sent: motorCmd[i].tau of the LowCmd of every tick, shape (n, 12) [N.m].
+        tau_reported: motorState[i].tauEst of the LowState of every tick, shape (n, 12) [N.m]. The
+            command in the same row of tau_sent was computed from this LowState.
         period: Time between ticks [s].
         max_delay: Longest delay to search [s].
 
     Returns:
-        Time [s] from a measurement to the action of its command, for StandOptions(delay=...).
+        Delay [s] for StandOptions(delay=...).
 
     Raises:
         Error: The shapes differ, the log is too short, the motion is too small, or no delay
@@ -86,9 +90,10 @@ def _validated(
 
 
 def _explained_share(sent: Array, reported: Array, ticks: float, span: int) -> float:
-    """Return the share of the changes of tauEst that the commands explain, delayed by `ticks`.
+    """Return the share of the changes of tauEst that the commands explain, at most 1.
 
-    The commands are interpolated linearly; the gain of each joint is the least-squares gain.
+    The commands are delayed by `ticks`, with linear interpolation. A change is a difference over
+    `span` ticks. The gain of each joint is the least-squares gain.
     """
     count = len(sent)
     start = int(np.ceil(ticks))

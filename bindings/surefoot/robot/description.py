@@ -1,4 +1,4 @@
-"""The files that describe a robot, found by the robot's name or by their paths."""
+"""Find and check the files that describe a robot, by the robot's name or by their paths."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class RobotDescription:
         name: Name of the robot, one word.
         urdf: Path of the URDF.
         srdf: Path of the SRDF, or None.
-        mesh_root: Folder that ``package://example-robot-data/`` stands for in the URDF.
-        table: The TOML as checked by read_table().
+        mesh_root: Folder that replaces ``package://example-robot-data/`` in the URDF.
+        table: The robot's TOML, as returned by read_table().
     """
 
     name: str
@@ -40,13 +40,16 @@ def describe_robot(
 ) -> RobotDescription:
     """Find a robot's files and check its TOML, without building the model.
 
+    The robot is given either by `name`, or by `urdf` and `config`.
+
     Args:
         name: One of available_robots().
-        urdf: Or: the path of a URDF, together with `config`.
+        urdf: Path of the URDF.
         config: Path of the robot's TOML.
 
     Raises:
-        Error: A name and files are given, or too few of them; a file is missing or invalid.
+        Error: Neither a name nor both files are given, or a name and files are given; or a file
+            is missing or invalid.
     """
     if name is not None and (urdf is not None or config is not None):
         raise Error(f"robot: got name '{name}' and files, expected a name, or urdf= and config=")
@@ -83,7 +86,13 @@ def _models_folder() -> Path:
 
 
 def _robot_data_folder() -> Path:
-    """Find share/example-robot-data among the package's files: its wheel has no Python module."""
+    """Return the folder share/example-robot-data of the package example-robot-data.
+
+    The function searches the package's file list, because its wheel has no Python module.
+
+    Raises:
+        Error: The package is not installed, or has no such folder.
+    """
     try:
         files = importlib.metadata.files("example-robot-data") or []
     except importlib.metadata.PackageNotFoundError:

@@ -11,18 +11,22 @@ from surefoot.robot.robot_toml import read_toml
 
 
 def gain_values(gains: Gains) -> dict[str, float]:
-    """Return all gains by name, as plain data for files and pipes."""
+    """Return the value of every gain by name, for files and pipes."""
     return {info.name: get_gain(gains, info.name) for info in gain_table()}
 
 
 def changed_gains(gains: Gains, own: Gains) -> dict[str, float]:
-    """Return the gains, by name, that differ from the robot's own gains."""
+    """Return those values of `gains`, by name, that differ from `own`, the robot's own gains."""
     values = gain_values(own)
     return {name: value for name, value in gain_values(gains).items() if value != values[name]}
 
 
 def gains_from_values(values: dict[str, float]) -> Gains:
-    """Return the library's default gains with the given values on top; raises Error."""
+    """Return the library's default gains, changed to `values` (gain name to value).
+
+    Raises:
+        Error: Unknown gain, or value out of range.
+    """
     gains = Gains()
     for name, value in values.items():
         set_gain(gains, name, value)
@@ -33,12 +37,12 @@ def gains_from_values(values: dict[str, float]) -> Gains:
 def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
     """Read gains from a TOML file with a ``[gains]`` table (or plain keys).
 
-    A value is a number, or ``{ value = 60.0, unit = "1/s^2" }``, whose unit is checked.
+    A value is a number, or a table ``{ value = 60.0, unit = "1/s^2" }`` with a unit to check.
 
     Args:
         path: The file.
-        start: Gains that the file changes; gains that it does not name keep their value. None: the
-            library's defaults.
+        start: Gains that the result has where the file names no value. None: the library's
+            defaults. `start` itself is not changed.
 
     Raises:
         Error: Unknown gain, value not a number or out of range, or wrong unit.
@@ -53,7 +57,7 @@ def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
 
 
 def save_gains(path: str | Path, gains: Gains, robot: str | None = None, comment: str = "") -> None:
-    """Write all gains to a TOML file; load_gains() reads exactly the same gains.
+    """Write all gains to a TOML file; load_gains() reads exactly the same values.
 
     The write is atomic.
 
@@ -94,7 +98,7 @@ def apply_gains(gains: Gains, rows: dict[str, Any], source: str) -> None:
         source: Name of the file, for messages.
 
     Raises:
-        Error: As load_gains(); the message names the source.
+        Error: Unknown gain, value not a number or out of range, or wrong unit.
     """
     for name, value in rows.items():
         try:
@@ -118,5 +122,5 @@ def _number(name: str, value: Any) -> float:
     try:
         return float(value)
     except OverflowError:
-        # TOML integers have any length. The message omits the value, which may fill pages.
+        # A TOML integer can have thousands of digits, so the message omits the value.
         raise Error(f"gain '{name}': got a number too large, expected at most 1.8e308") from None

@@ -34,19 +34,22 @@ def load_robot(
     model: Any = None,
     config: str | Path | None = None,
 ) -> Robot:
-    """Load a robot by its name, or from a URDF or a model with a TOML.
+    """Load a robot by its name, or from a URDF or a Pinocchio model.
+
+    Exactly one of `name`, `urdf` and `model` is given. `urdf` and `model` also need `config`.
 
     Args:
         name: One of available_robots(); needs the example-robot-data package (extra ``sim``).
-        urdf: Or: the path of a URDF ...
-        model: ... or: a pinocchio.Model whose root is a free-flyer ...
-        config: ... each with the path of a TOML that adds what it lacks (see models/).
+        urdf: Path of a URDF.
+        model: A pinocchio.Model with a free-flyer root.
+        config: Path of a TOML with the values that a URDF or model lacks (see models/).
 
     Returns:
         The robot, with armature, limits and IMU mount.
 
     Raises:
-        Error: More than one source, unknown name, missing file, joint or frame, or unknown key.
+        Error: No source or several sources, unknown name, missing file, joint or frame, or
+            unknown key.
     """
     sources = {"a name": name, "urdf=": urdf, "model=": model}
     given = [source for source, value in sources.items() if value is not None]
@@ -65,7 +68,11 @@ def load_robot(
 
 
 def load_pinocchio_model(description: RobotDescription) -> Any:
-    """Parse the URDF into a pinocchio.Model with a free-flyer root; raises Error."""
+    """Return the URDF as a pinocchio.Model with a free-flyer root.
+
+    Raises:
+        Error: The URDF is missing or invalid.
+    """
     import pinocchio
 
     if not description.urdf.is_file():
@@ -77,12 +84,16 @@ def load_pinocchio_model(description: RobotDescription) -> Any:
 
 
 def build_robot(description: RobotDescription) -> Robot:
-    """Build the Robot of a description; raises Error."""
+    """Build the Robot of a description.
+
+    Raises:
+        Error: The URDF is missing or invalid, or does not match the TOML.
+    """
     return _robot_from_model(load_pinocchio_model(description), description.table)
 
 
 def robot_identity(description: RobotDescription, robot: Robot) -> dict[str, str]:
-    """Return robot name, digest of its files, and version and build of Surefoot, as plain data."""
+    """Return robot name, digest of its files, and version and build of Surefoot, as JSON values."""
     hashed_values = [robot.serialized_model(), repr(description.table), robot.config.foot_radius]
     return {
         "robot": robot.name,
@@ -94,7 +105,7 @@ def robot_identity(description: RobotDescription, robot: Robot) -> dict[str, str
 
 @cache
 def package_digest() -> str:
-    """Return a digest of all .py, .so and .toml files of the package, which identifies its code."""
+    """Return a digest of all .py, .so and .toml files of this package, 16 hexadecimal digits."""
     folder = Path(__file__).parents[1]
     files = [path for path in sorted(folder.rglob("*")) if path.suffix in (".py", ".so", ".toml")]
     digest = hashlib.sha256()

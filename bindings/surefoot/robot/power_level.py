@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-POWER_LEVELS = {"b1": 10}  # 1 for all other robots
+# A level is 100 W (SDK). A b1 stands at level 1 but trips it in pushes (docs/first-day.md).
+POWER_LEVELS = {"b1": 10}  # level by robot name; power_level() returns 1 for all others
 
 
 def power_level(robot: str) -> int:

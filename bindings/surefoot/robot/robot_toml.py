@@ -36,7 +36,8 @@ def _is_string_list(size: int) -> _Check:
 
 _LIMIT_PAIR = (_is_number_list(2), "[lower, upper] in rad")
 _PER_MOTOR = (_is_number_list(3, 12), "3 numbers (hip, thigh, calf) or 12")
-# Check of each key, and the expected value in words. The C++ core checks the names of gains.
+# Sections and keys of the TOML, each key with its check and the expected value in words. The keys
+# of [gains] are checked by the C++ core.
 _SCHEMA: dict[str, dict[str, tuple[_Check, str]]] = {
     "robot": {
         "name": (_is_string, "a word"),
@@ -77,18 +78,30 @@ _REQUIRED = {
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """Read a TOML file; raises Error."""
+    """Read a TOML file.
+
+    Raises:
+        Error: The file cannot be read, or is not valid TOML.
+    """
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as problem:
         raise Error(f"cannot read '{path}': {problem.strerror}") from None
-    # Raised for invalid TOML, invalid UTF-8, and integers with more digits than Python parses.
+    # ValueError covers invalid TOML, invalid UTF-8 and integers too long for Python.
     except ValueError as problem:
         raise Error(f"'{path}' is not valid TOML: {problem}") from None
 
 
 def read_table(path: str | Path) -> dict[str, Any]:
-    """Read a robot's TOML and check that every key is known and has its type; raises Error."""
+    """Read a robot's TOML and check its keys and types.
+
+    Returns:
+        The TOML as nested dicts: section, key, value.
+
+    Raises:
+        Error: The file is not valid TOML, a key is unknown or missing, or a value has the wrong
+            type.
+    """
     table = read_toml(Path(path))
     _check_table(table, str(path))
     return table

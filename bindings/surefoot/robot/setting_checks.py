@@ -9,7 +9,7 @@ from surefoot._core import Error
 
 
 def check_one_of(name: str, value: Any, valid: tuple[str, ...], note: str = "") -> None:
-    """Raise Error unless a value is one of the valid names; `note` ends the message."""
+    """Raise Error unless a value is one of the valid names; the message ends with `note`."""
     if value not in valid:
         raise Error(f"{name}: got {value!r}; valid names: {', '.join(valid)}{note}")
 
@@ -39,7 +39,7 @@ def check_numbers(name: str, values: Any, low: float, high: float) -> None:
 
 
 def check_unique(name: str, values: tuple[float, ...]) -> None:
-    """Raise Error if two numbers have the same text in stores and tables (format g)."""
+    """Raise Error if two numbers have the same text in format g, as in stores and tables."""
     formatted = [f"{value:g}" for value in values]
     if len(set(formatted)) < len(formatted):
         raise Error(f"{name}: got {', '.join(formatted)}, expected each once")

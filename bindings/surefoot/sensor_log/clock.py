@@ -7,23 +7,24 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.geometry.batch_rotations import Array
 
-MAX_STEP = 0.1  # [s] largest dt that the estimator receives
+# Equal to kMaxTimeStep in state_estimator.cpp.
+MAX_STEP = 0.1  # [s] largest dt that the estimator receives; longer steps are gaps
 _WRAP = 2**32
 
 
 def read_clock(source: str, columns: dict[str, Array]) -> tuple[str, Array]:
-    """Return the name of the clock column and the time of each row (n,) [s] since the first.
+    """Return the name of the clock column, and the time (n,) of each row since the first row [s].
 
-    `tick`, the clock of the robot, is preferred to `time`, which is often the clock of the
-    recorder. If `tick` is constant, `time` is used. Rows with a non-finite clock have time NaN.
+    The function uses `tick`, the clock of the robot. If `tick` is missing or constant, it uses
+    `time`, which is often the clock of the recorder. Rows with a non-finite clock have time NaN.
 
     Raises:
-        Error: The clock goes backwards, is constant, or is in another unit.
+        Error: The clock goes backwards, is constant, or is in a wrong unit.
     """
     names = [name for name in ("tick", "time") if name in columns]
     advancing = [name for name in names if np.ptp(_finite(columns[name][:, 0])) > 0.0]
     if not advancing and len(columns[names[0]]) == 1:
-        advancing = names  # a single row shows no advance
+        advancing = names  # a log of one row cannot show whether its clock advances
     if not advancing:
         name, count = names[0], len(columns[names[0]])
         value = columns[name][0, 0]
@@ -48,7 +49,11 @@ def _finite(values: Array) -> Array:
 
 
 def _tick_seconds(source: str, ticks: Array) -> Array:
-    """Convert ticks [ms], which wrap at 2^32, to seconds since the first."""
+    """Return the time (n,) since the first tick [s] of ticks (n,) [ms], which wrap at 2^32.
+
+    Raises:
+        Error: A tick is not a whole number from 0 to 2^32 - 1.
+    """
     if np.any(ticks != np.round(ticks)) or ticks.min() < 0 or ticks.max() >= _WRAP:
         wrong = ticks[(ticks != np.round(ticks)) | (ticks < 0) | (ticks >= _WRAP)][0]
         raise Error(
@@ -56,7 +61,7 @@ def _tick_seconds(source: str, ticks: Array) -> Array:
             "2^32 - 1; name a clock in seconds 'time'"
         )
     steps = np.mod(np.diff(ticks.astype(np.int64)), _WRAP)
-    steps[steps >= _WRAP // 2] -= _WRAP  # half the range or more: a step back
+    steps[steps >= _WRAP // 2] -= _WRAP  # a step of half the range or more is a step back
     return np.concatenate([[0.0], 1e-3 * np.cumsum(steps)])
 
 

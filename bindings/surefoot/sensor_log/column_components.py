@@ -1,4 +1,4 @@
-"""Map of the columns' components to their places in a file, checked to be complete and unique."""
+"""Location of each column's components in a file; every component must be present exactly once."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ Location = TypeVar("Location")
 
 
 class ColumnComponents(Generic[Location]):
-    """Collects where a file holds each component of each column.
+    """Collector of the locations at which a file holds the components of each column.
 
-    A reader calls find() on each name of the file, add() for each component found, and ordered()
-    at the end. A location is what the reader needs to get the values, such as a column index.
+    A reader calls find() for each name in the file, add() for each component, and ordered() at the
+    end. The reader chooses the type of a location, for example the index of a CSV column.
 
     Args:
-        source: Name of the file, for errors.
+        source: Name of the file, for messages.
 
     Attributes:
-        ignored: Unknown names of the file, in the order of the file.
+        ignored: Unknown names in the file, in the order of the file.
     """
 
     def __init__(self, source: str) -> None:
@@ -45,7 +45,11 @@ class ColumnComponents(Generic[Location]):
         return found
 
     def add(self, text: str, column: Column, index: int, location: Location) -> None:
-        """Record that the file holds a component under the name `text`; raises Error if twice."""
+        """Record the location of a component that the file holds under the name `text`.
+
+        Raises:
+            Error: The component has a location already.
+        """
         name = column.component(index)
         if (column.name, index) in self._locations:
             first = self._locations[column.name, index][0]
@@ -80,7 +84,7 @@ class ColumnComponents(Generic[Location]):
         if missing or not present & set(CLOCK_COLUMNS):
             name = missing[0] if missing else "tick"
             other = " (or 'time')" if name == "tick" else ""
-            # The misspelt name is in the file: suggest the nearest of the ignored names.
+            # The column may be in the file under a misspelt name: suggest the nearest unknown name.
             close = get_close_matches(
                 name, [text.rstrip("_0123456789[].") for text in self.ignored]
             )

@@ -18,9 +18,9 @@ class Column:
         name: Name of the LowState field.
         labels: Names of the components in order; their number is the column's width.
         unit: SI unit; "" for counts and ratios.
-        meaning: One line.
+        meaning: Meaning of the column in one line.
         aliases: Other accepted names, in lower case.
-        required: Whether the estimator needs the column.
+        required: True if every log must have the column.
     """
 
     name: str
@@ -37,11 +37,11 @@ class Column:
 
     @property
     def is_truth(self) -> bool:
-        """Whether the column is ground truth, which never reaches the estimator."""
+        """True if the column is ground truth, which never reaches the estimator."""
         return self.name.startswith("truth_")
 
     def component(self, index: int) -> str:
-        """Return the name of one component in the header of a CSV."""
+        """Return the name that one component has in the header of a CSV."""
         return self.name if self.width == 1 else f"{self.name}_{index}"
 
 
@@ -76,7 +76,7 @@ COLUMNS: tuple[Column, ...] = (
 )
 COLUMN_BY_NAME = {column.name: column for column in COLUMNS}
 REPLAY_PREFIX = "replay_"  # prefix of the arrays for surefoot replay in the same file
-RUN_PREFIX = "run_"  # prefix of the arrays that surefoot run adds
+RUN_PREFIX = "run_"  # prefix of the arrays that surefoot run adds to the file
 CLOCK_COLUMNS = ("tick", "time")
 SENSOR_COLUMNS = ("gyroscope", "accelerometer", "quaternion", "q", "dq", "tauEst")
 FOOT_COLUMNS = ("footForce", "footForceEst")

@@ -1,7 +1,7 @@
-"""Column and component that a name in a log refers to.
+"""Find the column and the component that a name in a log refers to.
 
-Logs spell their columns in many ways, and all common ones are accepted. A name consists of an
-optional path of the SDK, the column's name or an alias in any case, and an optional component:
+All common spellings are accepted. A name has three parts: an optional field path of the SDK, the
+column's name or an alias (upper or lower case), and an optional component. Examples:
 `accelerometer_0`, `imu.accelerometer[0]`, `acc.x`, `quat_w`, `q_FR_hip_joint`, `motorState[3].q`,
 `motorState_3_q`, `footForce_RL`, `truth_foot_forces_FR_z`.
 """
@@ -24,8 +24,8 @@ _NAMES = sorted(
 def find_column(text: str) -> tuple[Column, int | None] | None:
     """Return the column and component that a name refers to, or None if the name is unknown.
 
-    The component is None if the name refers to the whole column. For a column of width 1 the
-    component may be 0 or None; both mean the same.
+    The component is None if the name refers to the whole column. For a column of width 1, the
+    component may be 0 or None, with the same meaning.
     """
     word = _PATH.sub("", text.strip().lower())
     motor = _MOTOR.match(word)
@@ -34,7 +34,7 @@ def find_column(text: str) -> tuple[Column, int | None] | None:
         index = int(motor.group(1))
         known = column is not None and column.labels == MOTOR_NAMES and index < column.width
         return (column, index) if column is not None and known else None
-    for name, column in _NAMES:  # longest first: footforceest is not footforce with a suffix
+    for name, column in _NAMES:  # longest first: footforceest, then footforce
         if word.startswith(name):
             rest = word[len(name) :]
             if not rest:
@@ -50,7 +50,7 @@ def _column_named(word: str) -> Column | None:
 
 
 def _component(column: Column, rest: str) -> int | None:
-    """Return the component that `rest`, the text after a column's name, refers to, or None."""
+    """Return the component that `rest`, the text after a column's name, means; None if unknown."""
     if not (rest[0] in "_.[/ " or rest[0].isdigit()):
         return None
     words = [word for word in re.split(r"[_.\[\]/ ]+", rest) if word and word != "joint"]
@@ -64,7 +64,10 @@ def _component(column: Column, rest: str) -> int | None:
 
 
 def _label_part(part: str, column: Column, place: int) -> str | None:
-    """Return a part of a label with a joint or axis number replaced by its name, as in q_FR_0."""
+    """Return one part of a component's label, with a joint or axis number replaced by its name.
+
+    Example: the part "0" of q_FR_0 becomes "hip".
+    """
     if not part.isdigit() or place == 0:
         return part
     parts = JOINTS if column.labels == MOTOR_NAMES else ("x", "y", "z")

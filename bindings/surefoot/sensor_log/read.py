@@ -20,12 +20,12 @@ _READERS = {".csv": read_csv, ".npz": read_npz}
 def read_log(path: str | Path) -> SensorLog:
     """Read a log from a CSV or NPZ file.
 
-    columns.COLUMNS lists the columns that a log may have. Required are a clock (tick or time),
-    gyroscope, accelerometer and q. Unknown columns are left out and listed in `ignored`. Rows
-    with NaN are kept.
+    column_definitions.COLUMNS lists the columns that a log may have. A clock (tick or time),
+    gyroscope, accelerometer and q are required. The log omits unknown columns and lists them in
+    `ignored`. It keeps rows with NaN.
 
     Raises:
-        Error: The file cannot be read, a column is missing, duplicate or malformed, or the clock
+        Error: The file cannot be read; a column is missing, duplicate or malformed; or the clock
             does not advance.
     """
     path = Path(path)
@@ -47,7 +47,13 @@ def read_log(path: str | Path) -> SensorLog:
 
 
 def _drop_never_finite(source: str, columns: dict[str, Array]) -> list[str]:
-    """Remove optional columns that are finite in no row: they would make every row unusable."""
+    """Remove the optional columns without any finite row; return a warning for each.
+
+    Such a column would make every row unusable.
+
+    Raises:
+        Error: A required column has no finite row.
+    """
     warnings = []
     for name in list(columns):
         if np.isfinite(columns[name]).all(axis=1).any():

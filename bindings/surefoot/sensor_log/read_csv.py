@@ -17,7 +17,7 @@ _DELIMITERS = ",;\t"
 
 
 def read_csv(path: Path) -> tuple[dict[str, Array], list[str]]:
-    """Return the columns (n, width) by name, and the unknown names of the file.
+    """Return the columns (n, width) by name, and the unknown names in the file.
 
     Cells are separated by commas, semicolons or tabs. An empty cell is NaN.
 
@@ -56,7 +56,7 @@ def read_csv(path: Path) -> tuple[dict[str, Array], list[str]]:
 
 
 def _read_table(path: Path, delimiter: str, header: Sequence[str], used: Sequence[int]) -> Array:
-    """Return the used columns, shape (n, len(used))."""
+    """Return the file columns with the indices `used` as numbers, shape (n, len(used))."""
     with path.open(encoding="utf-8-sig", newline="") as file:
         file.readline()
         if not file.readline().strip():
@@ -68,7 +68,7 @@ def _read_table(path: Path, delimiter: str, header: Sequence[str], used: Sequenc
     except (ValueError, IndexError):
         return _read_cells(
             path, delimiter, header, used
-        )  # reads empty and quoted cells, or raises Error
+        )  # slower, but accepts empty and quoted cells; raises Error for other text
 
 
 def _read_cells(path: Path, delimiter: str, header: Sequence[str], used: Sequence[int]) -> Array:

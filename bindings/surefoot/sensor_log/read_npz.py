@@ -14,7 +14,7 @@ from surefoot.sensor_log.column_definitions import REPLAY_PREFIX, RUN_PREFIX, Co
 
 
 def read_npz(path: Path) -> tuple[dict[str, Array], list[str]]:
-    """Return the columns (n, width) by name, and the unknown names of the file.
+    """Return the columns (n, width) by name, and the unknown names in the file.
 
     Raises:
         Error: The file is not a valid NPZ, an array has the wrong shape or holds no numbers, or
@@ -55,7 +55,11 @@ def _read_arrays(path: Path, file: np.lib.npyio.NpzFile) -> tuple[dict[str, Arra
 def _column_array(
     path: Path, name: str, values: np.ndarray, column: Column, index: int | None
 ) -> Array:
-    """Return an array in shape (n, width), or (n, 1) for one component; raises Error."""
+    """Return an array of the file in shape (n, width), or (n, 1) if it holds one component.
+
+    Raises:
+        Error: The array has another shape, or holds no numbers.
+    """
     width = column.width if index is None else 1
     if values.dtype.kind not in "biuf":
         raise Error(f"{path}: column '{name}': got {values.dtype} values, expected numbers")

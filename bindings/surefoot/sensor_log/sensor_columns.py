@@ -12,7 +12,7 @@ def sensor_columns(reports: npt.NDArray[np.uint8]) -> dict[str, np.ndarray]:
     """Return the sensor values of LowStates as log columns, without loss of precision.
 
     Args:
-        reports: (n, 937) bytes of the LowStates.
+        reports: Packed LowStates, (n, 937) bytes.
 
     Returns:
         Arrays (n, width) by column name. The clock is `tick`.

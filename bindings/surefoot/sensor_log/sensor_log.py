@@ -12,14 +12,14 @@ from surefoot.sensor_log.column_definitions import COLUMN_BY_NAME
 
 @dataclass(frozen=True)
 class SensorLog:
-    """Columns of a log, in the units and orders of columns.COLUMNS.
+    """Columns of a log, in the units and orders of column_definitions.COLUMNS.
 
     Attributes:
-        source: Name of the file or process that it comes from, for messages.
+        source: Name of the file or process that the log comes from, for messages.
         columns: Arrays (n, width) by name. Columns named truth_... never reach the estimator.
         time: (n,) time since the first row [s]; NaN where the clock is not finite.
-        clock: Name of the column that `time` is computed from.
-        ignored: Unknown names of the file.
+        clock: Name of the column from which `time` is computed.
+        ignored: Unknown names in the file.
         warnings: Findings that make the log doubtful.
     """
 

@@ -23,8 +23,8 @@ def write_log(
     Args:
         path: The file.
         log: The log.
-        extras: Further arrays for an NPZ file, named replay_... (replay/recording_file.py) or
-            run_...; a CSV file omits them.
+        extras: Further arrays for an NPZ file, with names replay_... (replay/recording_file.py) or
+            run_...; a CSV file omits these arrays.
 
     Raises:
         Error: The suffix is neither .csv nor .npz.
@@ -42,12 +42,15 @@ def write_log(
 
 
 def _as_low_state_type(name: str, values: np.ndarray, width: int) -> np.ndarray:
-    """Convert values to the type of the LowState field, if that type can represent them."""
+    """Convert a column (n, width) to the type of its LowState field; return (n,) if width is 1.
+
+    An integer column with NaN or infinity keeps its type. So do `time` and truth_... columns.
+    """
     integer_type = {"tick": np.uint32, "footForce": np.int16, "footForceEst": np.int16}.get(name)
     if integer_type is not None and np.isfinite(values).all():
         values = values.astype(np.int64).astype(
             integer_type
-        )  # via int64: out-of-range values wrap, defined behaviour
+        )  # through int64, so that out-of-range values wrap on every machine
     elif integer_type is None and name != "time" and not name.startswith("truth_"):
         values = values.astype(np.float32)
     return values[:, 0] if width == 1 else values

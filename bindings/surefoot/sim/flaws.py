@@ -1,4 +1,4 @@
-"""Flaws of one robot, given or drawn from the seed: IMU biases, torque errors, trunk mass."""
+"""Flaws of one robot, set or drawn with the seed: IMU biases, torque errors, trunk mass."""
 
 from __future__ import annotations
 
@@ -16,17 +16,18 @@ Bias = tuple[float, float, float] | float | None
 
 @dataclass(frozen=True)
 class Flaws:
-    """Differences of one robot from its model. The first four need real sensors.
+    """Differences of one robot from its model.
 
-    A bias is one of: three numbers, in IMU axes; one number, the standard deviation of a normal
-    draw per axis; None, the default uniform draw of the IMU.
+    The first four attributes have an effect only with real sensors. A bias is given as three
+    numbers (the bias in IMU axes), as one number (the standard deviation of a normal draw per
+    axis), or as None (the default uniform draw of the IMU).
 
     Attributes:
         gyro_bias: Gyroscope bias [rad/s].
         accelerometer_bias: Accelerometer bias [m/s^2].
         torque_error: Bound on the constant relative torque error of each motor, drawn uniformly
             from +- this value.
-        torque_scale: Further factor on the torque of all motors, as from a wrong torque constant.
+        torque_scale: Further factor on the torques of all motors, like a wrong torque constant.
         trunk_mass_scale: Factor on the trunk's mass and inertia.
         trunk_com_shift: Shift of the trunk's centre of mass, base frame [m].
     """
@@ -48,11 +49,11 @@ class Flaws:
 
 
 def draw_bias(bias: Bias, half_width: float, rng: np.random.Generator) -> Array:
-    """Return a bias (3,) in IMU axes. Every kind of bias draws three numbers from `rng`.
+    """Return a bias (3,) in IMU axes. Three numbers are drawn from `rng` in every case.
 
     Args:
-        bias: A bias as described in Flaws.
-        half_width: Half the width of the uniform draw used for None.
+        bias: The bias, in one of the three forms of Flaws.
+        half_width: Bound of the uniform draw if `bias` is None: +- this value, in the bias's unit.
         rng: Source of random numbers.
     """
     uniform = rng.uniform(-1.0, 1.0, 3)

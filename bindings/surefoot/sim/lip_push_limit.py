@@ -24,7 +24,7 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
         direction: (2,) unit vector.
 
     Returns:
-        The distance [m]; 0 if the ray starts outside.
+        The length [m]; 0 if the ray starts outside the hull.
     """
     distance = math.inf
     for i, a in enumerate(points):
@@ -33,7 +33,7 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
                 continue
             normal = np.array([b[1] - a[1], a[0] - b[0]])
             # a -> b is an edge of the hull, counter-clockwise, if no point is on its right. The
-            # tolerance [m^2] is for rounding.
+            # tolerance [m^2] covers rounding.
             if np.any((points - a) @ normal > 1e-12):
                 continue
             gap, speed = float((a - origin) @ normal), float(direction @ normal)
@@ -71,8 +71,8 @@ def lip_push_limit(
 ) -> float:
     """Return the LIP push limit of the robot in its present pose, for one direction [N.s].
 
-    Uses the true mass with payload, the support polygon of all four feet in the horizontal plane,
-    and the height of the centre of mass above the ground below it.
+    The limit uses the true mass with payload, the support polygon of all four feet in the
+    horizontal plane, and the height of the centre of mass above the ground.
 
     Args:
         model: MuJoCo's model.

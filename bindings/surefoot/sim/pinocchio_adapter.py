@@ -78,7 +78,7 @@ class PinocchioAdapter:
         return T
 
     def velocity_map_drift(self, q: Array, v: Array) -> Array:
-        """Return dT/dt v (nv,), the velocity term of qacc = T dv + dT/dt v.
+        """Return dT/dt v (nv,), the velocity term of qacc = T dv/dt + dT/dt v.
 
         Only the linear rows of the base are not zero: dR/dt v_lin = R (w x v_lin).
         """

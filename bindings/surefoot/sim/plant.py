@@ -50,15 +50,15 @@ class Plant:
 
     Args:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
-        settings: Sensors, ground, payload, flaws, rates, seed.
+        settings: Sensors, ground, payload, flaws, rates, seed; None: the defaults.
         pushes: Scheduled pushes; add_push() adds more.
         tick0: LowState.tick of the first sample [ms], modulo 2^32.
 
     Raises:
-        Error: An unknown robot, or a missing file, joint or foot.
+        Error: The robot is unknown, or a file, joint or foot is missing.
 
     Attributes:
-        robot: The surefoot.Robot to give to a controller of this plant.
+        robot: The surefoot.Robot for a controller of this plant.
         description: The files of the robot.
         settings: The settings, with foot_force resolved.
         model: The MuJoCo model.
@@ -108,14 +108,14 @@ class Plant:
     def first_truth(self) -> Truth:
         """The true state at the instant of the LowState that reset() returned.
 
-        With real sensors that instant is one control period before the run starts. The field `time`
-        has no meaning, because it was counted before the clock restarted.
+        With real sensors that instant is one control period before the run starts. Field `time` has
+        no meaning, because the clock restarts after that instant.
         """
         return self._first_truth
 
     @property
     def motors(self) -> Motors:
-        """The motors with their current law and torques; read them, do not write them."""
+        """The motors with their present law and torques, for reading only."""
         return self._physics_loop.motors
 
     @property
@@ -134,10 +134,10 @@ class Plant:
         self._physics_loop.add_push(push)
 
     def reseed(self, seed: int, pushes: Iterable[Push] = ()) -> None:
-        """Set seed and pushes from the next reset() on, and remove all lifts.
+        """Set seed and pushes for all runs from the next reset() on, and remove all lifts.
 
-        Use this for further runs on the same ground: it takes no time, while building a new plant
-        takes as long as a run of seconds.
+        Use this for further runs on the same ground. Building a new plant instead would take as
+        long as simulating several seconds.
 
         Args:
             seed: Seed of all random numbers.
@@ -189,10 +189,10 @@ class Plant:
             rng: Source of the joint angles and attitudes.
 
         Raises:
-            Error: The robot did not come to rest like this in MAX_DROPS drops.
+            Error: None of MAX_DROPS drops ended in such a pose.
         """
         self.reset()
-        self._physics_loop.restart_time()  # no push may act before the robot lies
+        self._physics_loop.restart_time()  # remove pushes: none may act before the robot lies
         self.motors.law = damping_law()
         for _ in range(MAX_DROPS):
             drop_robot(self.model, self.data, self.handles, self.robot, rng)
@@ -215,7 +215,7 @@ class Plant:
         The motors brake until the first LowCmd takes effect.
 
         Args:
-            qpos: MuJoCo's qpos, as data.qpos was after reset_lying().
+            qpos: MuJoCo's qpos (nq,), for example data.qpos after reset_lying().
         """
         self.reset()
         self.motors.law = damping_law()
@@ -244,10 +244,10 @@ class Plant:
         """Advance one control period.
 
         Args:
-            cmd: The command. It takes effect at once; with real sensors, one period later.
+            cmd: The command. It takes effect at once, or with real sensors one period later.
 
         Returns:
-            The LowState after this period; with real sensors, the one before this period.
+            The LowState at the end of this period; with real sensors, at its beginning.
         """
         settings = self.settings
         delay = round(settings.extra_delay / settings.physics_dt)
@@ -265,8 +265,8 @@ class Plant:
     def apply_law(self, law: MotorLaw) -> None:
         """Set the motor law from the next physics step on, without delay.
 
-        apply_law(), advance() and read() are the three parts of step(), for a link that has delays
-        of its own.
+        apply_law(), advance() and read() are the three parts of step(). Call them separately for a
+        link that has delays of its own.
         """
         self.motors.law = law
 

@@ -26,7 +26,7 @@ class Renderer:
         plant: The plant; the renderer only reads it.
         width: Width of the picture [pixels].
         height: Height of the picture [pixels].
-        visuals: True: draw the visual meshes; False: draw the collision geometry.
+        visuals: Whether to draw the visual meshes; False draws the collision geometry instead.
         azimuth: Viewing direction of the camera [deg], from world x towards world y.
         elevation: Elevation of the viewing direction [deg]; negative: downwards.
     """
@@ -58,7 +58,7 @@ class Renderer:
         self._option.flags[mujoco.mjtVisFlag.mjVIS_STATIC] = True
 
     def frame(self) -> npt.NDArray[np.uint8]:
-        """Return a picture at this instant, shape (height, width, 3)."""
+        """Return a picture of the present state, RGB, shape (height, width, 3)."""
         plant = self._plant
         self._data.qpos[:] = plant.data.qpos
         mujoco.mj_kinematics(self._model, self._data)
@@ -86,7 +86,8 @@ class Renderer:
             )
         force, point = plant.push_force
         if np.any(force):
-            # The arrow points to where the force acts; its length is proportional to the force.
+            # The arrow ends near the point where the force acts; its length is proportional to the
+            # force.
             tip = point - 0.3 * self._size * force / np.linalg.norm(force)  # outside the trunk
             self._arrow(tip - metres_per_newton * force, tip, 1.0, PUSH_RED)
 

@@ -9,13 +9,14 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
 
-# [s] twice the default physics step, so that scorecard and fault matrix take half of the time. Push
-# limits came out the same with both. Above: a fifth of FOOT_SOLREF's 5 ms.
+# [s] Physics step of scorecard and fault matrix: twice the default, so that they take half of the
+# time. Push limits are the same with both steps. Upper bound: a fifth of FOOT_SOLREF's 5 ms.
 COARSE_DT = 0.001
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
-# [m] of soft ground. Below: feet sink 20 um into rigid ground; above: half of a calf's length.
+# [m] Range of soft_ground_sink. Must exceed the 20 um by which feet sink into rigid ground. Must be
+# below half of a calf's length.
 MIN_SINK, MAX_SINK = 1e-4, 0.1
 
 
@@ -24,13 +25,13 @@ class PlantSettings:
     """Settings of a plant: sensors, ground, payload, flaws, rates, seed.
 
     Attributes:
-        sensors: "real" (noise, bias, attitude filter, one period of delay each way, quantised
-            wire format, motor lag) or "ideal" (exact, without delay).
+        sensors: "real" (noise, bias, attitude filter, one period of delay for commands and one for
+            samples, quantised wire format, motor lag) or "ideal" (exact, without delay).
         foot_force: "est" (newtons and raw counts), "raw" (raw counts alone), "dead" (zeros);
             None: "est" if the robot's TOML sets simulation.foot_force_est, else "dead".
-        friction: Coefficient between foot and ground.
+        friction: Friction coefficient between foot and ground.
         soft_ground_sink: Depth to which a foot sinks under a quarter of the robot's own weight [m].
-            0: rigid ground; from 0.1 mm up: a spring and a damper (sim/model/soft_ground.py).
+            0: rigid ground; 0.1 mm or more: a spring and a damper (sim/model/soft_ground.py).
         slope_deg: Slope of the ground [deg]; gravity stays along world z.
         slope_heading_deg: Direction of steepest ascent, from forward towards left [deg].
         payload_kg: Mass welded to the trunk, unknown to the controller [kg].
@@ -42,13 +43,13 @@ class PlantSettings:
         backlash_deg: Backlash of every gear, measured at its joint from end to end [deg]. The
             encoder is on the rotor's side (sim/model/backlash.py).
         motor_lag: Time constant of the motor torque [s]; None: 2 ms if real, 0 if ideal.
-        extra_delay: Further delay of commands [s], rounded to physics steps.
+        extra_delay: Additional delay of commands [s], rounded to physics steps.
         flaws: IMU biases, torque errors, trunk mass (sim/flaws.py).
-        platform_heading_deg: Heading [deg] towards which the ground, a platform, can tilt up
-            (sim/model/moving_ground.py); None: fixed ground.
+        platform_heading_deg: Heading [deg] of the side that goes up when the ground, a platform,
+            tilts (sim/model/moving_ground.py); None: fixed ground.
         block_foot: Foot, of FR FL RR RL, that stands on a block which can rise
             (sim/model/moving_ground.py); None: no block.
-        hung: Fix the base in the air, level, with free legs (sim/physics/hanging.py).
+        hung: Whether the base is fixed in the air, level, with free legs (sim/physics/hanging.py).
         seed: Seed of all random numbers; the same seed gives the same run.
     """
 
@@ -61,8 +62,8 @@ class PlantSettings:
     payload_kg: float = 0.0
     payload_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     control_rate: float = 500.0  # dt = 0.002 s of the SDK's examples
-    # Chosen: half of it changes sway by less than 2 % (test_plant_standing.py), and a pushed stand
-    # by less than 5 % (test_stand_physics_step.py).
+    # Chosen: half of this step changes sway by less than 2 % (test_plant_standing.py), and a pushed
+    # stand by less than 5 % (test_stand_physics_step.py).
     physics_dt: float = 0.0005
     joint_friction_scale: float = 1.0
     armature_scale: float = 1.0
@@ -80,7 +81,8 @@ class PlantSettings:
         if self.foot_force is not None:
             check_one_of("foot_force", self.foot_force, _FOOT_FORCE)
         self._check_moving_ground()
-        # Sanity limits. physics_dt: from 2.5 ms on MuJoCo softens the foot contacts (FOOT_SOLREF).
+        # Ranges of values that make sense. From a physics_dt of 2.5 ms on, MuJoCo softens the foot
+        # contacts (FOOT_SOLREF).
         for name, low, high in (
             ("friction", 0.0, 10.0),
             ("soft_ground_sink", 0.0, MAX_SINK),
@@ -116,12 +118,12 @@ class PlantSettings:
 
     @property
     def real(self) -> bool:
-        """Whether sensors, wire format and motors have the errors of real ones."""
+        """Whether sensors, wire format and motors have real errors, see `sensors`."""
         return self.sensors == "real"
 
     @property
     def lag(self) -> float:
-        """Time constant of the motor torque [s], with the default resolved."""
+        """Time constant of the motor torque [s]: motor_lag, or its default if None."""
         if self.motor_lag is not None:
             return self.motor_lag
         return 0.002 if self.real else 0.0  # assumed: one control period; no data sheet states it
@@ -163,14 +165,14 @@ class PlantSettings:
 class Push:
     """A push: a horizontal force with constant world direction and a rectangular profile in time.
 
-    The force acts at the true centre of mass, which it follows, or at a height above it.
+    The force acts at the true centre of mass, or at a height above it, and moves with it.
 
     Attributes:
         direction: "forward", "lateral" (left), or degrees from forward towards left, relative to
             the robot's heading when the push begins.
         impulse: Impulse [N.s]; the force is impulse / duration.
         duration: Duration [s].
-        time: Start time since reset [s].
+        time: Start of the push, measured from reset [s].
         height: Height of the line of action above the centre of mass [m].
     """
 

@@ -1,4 +1,4 @@
-"""The plant's true state, for the assessment of a controller. The controller does not get it."""
+"""True state of the plant, for the assessment of a controller; not an input of the controller."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 
-# 60 deg: the limit of unitree_guide (R33 < 0.5) and PX4 (FD_FAIL_R, FD_FAIL_P).
+# Cosine of 60 deg, the tilt above which the robot has fallen. The limit is that of unitree_guide
+# (R33 < 0.5) and PX4 (FD_FAIL_R, FD_FAIL_P).
 FALLEN_TILT_COS = 0.5
 
 
@@ -25,13 +26,13 @@ class Truth:
         q: (nq,) Pinocchio's q: position, quaternion x y z w, joints in the model's order.
         v: (nv,) Pinocchio's v: base twist in base axes, joint velocities.
         p_world_feet: (3, 4) centres of the foot spheres [m].
-        foot_forces: (3, 4) ground on foot, world axes, in the last physics step [N].
+        foot_forces: (3, 4) ground force on each foot in the last physics step, world axes [N].
         contact: (4,) whether each foot carries any force.
         com: (3,) centre of mass of the whole robot, payload included [m].
         com_velocity: (3,) velocity of the centre of mass [m/s].
         tau: (12,) true motor torque, SDK order [N.m].
         dq: (12,) true joint velocity, on the link's side of the gear, SDK order [rad/s].
-        fell: Something other than a foot touches the ground, or the tilt exceeds 60 deg.
+        fell: Whether a part other than a foot touches the ground, or the tilt exceeds 60 deg.
     """
 
     time: float
@@ -55,7 +56,7 @@ def measure_truth(
     time: float,
     tau: Array,
 ) -> Truth:
-    """Copy the true state from MuJoCo, whose kinematics must be up to date."""
+    """Return a copy of the true state. MuJoCo's kinematics must be up to date."""
     mujoco.mj_subtreeVel(model, data)
     qpos, qvel = data.qpos.copy(), data.qvel.copy()
     forces = data.sensordata[handles.foot_forces]
@@ -76,7 +77,7 @@ def measure_truth(
 
 def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
     """Return whether trunk or legs touch the ground, or the base tilts by more than 60 deg."""
-    # The negated comparison counts NaN as fallen.
+    # The comparison is negated so that NaN counts as fallen.
     if not data.xmat[handles.root, 8] >= FALLEN_TILT_COS:
         return True
     # Plain Python is faster than numpy for so few contacts.

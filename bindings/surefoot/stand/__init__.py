@@ -1,4 +1,4 @@
-"""Simulated stand: run a robot under its controller, log it, measure it and report it."""
+"""Stand: a simulated run of a standing robot, with its log, its metrics and its report."""
 
 from surefoot.reports.summary_field import Field
 from surefoot.stand.metrics import summarise

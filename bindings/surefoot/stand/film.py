@@ -13,12 +13,13 @@ from surefoot.sim import Plant, Renderer
 from surefoot.stand.simulation_loop import Progress, make_plant
 from surefoot.stand.stand_log import StandLog
 
-WIDTH, HEIGHT = 480, 360  # [px]
-FRAME_PERIOD = 0.08  # [s] between frames
-PUSH_FRAME_PERIOD = 0.03  # [s] between frames while a push acts
-MAX_FRAMES = 250  # longer runs get fewer frames per second
+# The numbers are chosen so that the film has few MB and a person can follow it.
+WIDTH, HEIGHT = 480, 360  # [px] size of the film
+FRAME_PERIOD = 0.08  # [s] time between frames
+PUSH_FRAME_PERIOD = 0.03  # [s] time between frames while a push acts
+MAX_FRAMES = 250  # largest number of evenly spaced frames; longer runs get fewer per second
 END_PAUSE_MS = 800  # [ms] pause before the film repeats
-CAPTION_TIME = 0.8  # [s] for which the caption of a push stays after the push
+CAPTION_TIME = 0.8  # [s] time for which the caption of a push stays after the push
 _INK, _RED = (40, 46, 54), (190, 30, 30)
 
 
@@ -31,7 +32,7 @@ def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> N
     Args:
         log: Log of the run.
         path: Path of the film.
-        progress: Called after every frame.
+        progress: Function that is called after every frame.
     """
     ticks = frame_ticks(log)
     pictures = []
@@ -44,7 +45,13 @@ def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> N
 
 
 def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) -> None:
-    """Write pictures as an endless animated WebP; `durations` has the time of each [ms]."""
+    """Write pictures as an animated WebP that repeats endlessly.
+
+    Args:
+        pictures: Frames of the film.
+        durations: Time for which each frame is shown [ms]; END_PAUSE_MS is added to the last.
+        path: Path of the film.
+    """
     durations[-1] += END_PAUSE_MS
     first, *rest = pictures
     first.save(
@@ -59,7 +66,7 @@ def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) ->
 
 
 def frame_ticks(log: StandLog) -> list[int]:
-    """Return the ticks to render: evenly spaced, and closer while a push acts."""
+    """Return the ticks to render: evenly spaced ones, and up to 10 more while each push acts."""
     coarse = max(FRAME_PERIOD, log.duration / MAX_FRAMES)
     fine = [
         np.arange(push.time + PUSH_FRAME_PERIOD / 2, push.time + push.duration, PUSH_FRAME_PERIOD)[
@@ -73,7 +80,10 @@ def frame_ticks(log: StandLog) -> list[int]:
 
 
 def replay_run(log: StandLog) -> Iterator[tuple[int, Plant]]:
-    """Replay a run from its commands; yield each tick with the plant before that tick's step."""
+    """Replay a run from its commands.
+
+    Yields the number of each tick, and the plant in its state before the step of that tick.
+    """
     plant = make_plant(log.settings)
     plant.reset()
     for k, command in enumerate(log.commands):

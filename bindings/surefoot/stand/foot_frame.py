@@ -10,15 +10,15 @@ from surefoot._core import Robot
 from surefoot.geometry.batch_rotations import matrices_from_xyzw, rpy_from_matrices
 from surefoot.stand.stand_log import Array
 
-_FORE_AFT_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # fore feet FR FL minus hind feet RR RL
+_FORE_AFT_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # front feet FR FL minus rear feet RR RL
 
 
 @dataclass(frozen=True)
 class FootFramePose:
-    """Poses of the base relative to its feet.
+    """Poses of the base over a run, in a frame at the mean of the four feet.
 
-    The frame has its origin at the mean of the four feet and x along their heading. Its z is world
-    z (pose_from_feet) or the normal of the plane of the feet (pose_in_support).
+    The x axis of this frame points along the heading of the feet. The z axis is world z for
+    pose_from_feet(), and the normal of the plane of the feet for pose_in_support().
 
     Attributes:
         position: (n, 3) position of the base [m].
@@ -30,12 +30,12 @@ class FootFramePose:
 
     @property
     def rpy(self) -> Array:
-        """(n, 3) roll, pitch, yaw [rad]; R = Rz(yaw) Ry(pitch) Rx(roll)."""
+        """(n, 3) roll, pitch, yaw [rad] with rotation = Rz(yaw) Ry(pitch) Rx(roll)."""
         return rpy_from_matrices(self.rotation)
 
     @property
     def rows_mm_deg(self) -> Array:
-        """(n, 6) x, y, z [mm], roll, pitch, yaw [deg]; angles are unwrapped over time."""
+        """(n, 6) x, y, z [mm], roll, pitch, yaw [deg]; the angles have no jumps of 360 deg."""
         return np.hstack([1000.0 * self.position, np.degrees(np.unwrap(self.rpy, axis=0))])
 
 
@@ -53,18 +53,18 @@ def matrices_from_rpy(rpy: Array) -> Array:
 
 
 def up_in_base(q: Array) -> Array:
-    """Return world z in base axes (n, 3) for Pinocchio configurations q (n, nq)."""
+    """Return the world z axis in base axes (n, 3) for Pinocchio configurations q (n, nq)."""
     return matrices_from_xyzw(q[:, 3:7])[:, 2, :]
 
 
 def feet_heading(feet: Array) -> Array:
-    """Return the heading (n,) [rad] of feet (n, 3, 4): the direction from hind to fore feet."""
+    """Return the headings (n,) [rad] of feet (n, 3, 4): the direction from rear to front feet."""
     forward = feet @ _FORE_AFT_SIGNS
     return np.asarray(np.arctan2(forward[:, 1], forward[:, 0]))
 
 
 def pose_from_feet(q: Array, feet: Array) -> FootFramePose:
-    """Return the pose of the base relative to the feet, with z vertical.
+    """Return the poses of the base in a frame at the mean of the feet, with z vertical.
 
     Args:
         q: (n, nq) Pinocchio configurations.
@@ -81,10 +81,10 @@ def pose_from_feet(q: Array, feet: Array) -> FootFramePose:
 
 
 def pose_in_support(q: Array, feet: Array) -> FootFramePose:
-    """Return the pose of the base in the support frame, in which BodyReference is given.
+    """Return the poses of the base in the support frame, the frame of BodyReference.
 
-    The z axis is normal to both diagonals of the feet. The x axis is the heading of the feet in
-    their plane.
+    The z axis is normal to both diagonals of the feet. The x axis points along the heading of the
+    feet, in the plane of the feet.
 
     Args:
         q: (n, nq) Pinocchio configurations.
@@ -105,7 +105,7 @@ def pose_in_support(q: Array, feet: Array) -> FootFramePose:
 
 
 def foot_positions(robot: Robot, q: Array) -> Array:
-    """Compute the foot positions (n, 3, 4) [m] of Pinocchio configurations q (n, nq)."""
+    """Compute the foot positions (n, 3, 4) [m] in the world frame of configurations q (n, nq)."""
     import pinocchio  # imported here because only reports need it
 
     model = pinocchio.Model()
@@ -120,7 +120,7 @@ def foot_positions(robot: Robot, q: Array) -> Array:
 
 
 def angle_between(a: Array, b: Array) -> Array:
-    """Return the angles (n,) [rad] between vectors (n, 3); accurate for small angles too."""
+    """Return the angles (n,) [rad] between vectors a and b (n, 3); accurate for small angles."""
     cross = np.linalg.norm(np.cross(a, b), axis=-1)
     return np.asarray(np.arctan2(cross, np.sum(a * b, axis=-1)))
 
@@ -131,11 +131,11 @@ def rotation_angle(rotation: Array) -> Array:
     axis = np.stack(
         [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1
     )
-    # `axis` has the norm 2 sin(angle), and the trace minus 1 is 2 cos(angle).
+    # The norm of `axis` is 2 sin(angle). The trace minus 1 is 2 cos(angle).
     doubled_cosine = np.trace(R, axis1=1, axis2=2) - 1.0
     return np.asarray(np.arctan2(np.linalg.norm(axis, axis=1), doubled_cosine))
 
 
 def wrap_angle(angle: Array) -> Array:
-    """Wrap angles [rad] to -pi .. pi."""
+    """Return angles [rad], wrapped to -pi .. pi."""
     return (angle + np.pi) % (2.0 * np.pi) - np.pi

@@ -1,4 +1,4 @@
-"""Metrics of a run; summary_fields.py explains each of them."""
+"""Metrics of a run; summary_fields.py explains each metric."""
 
 from __future__ import annotations
 
@@ -16,11 +16,13 @@ from surefoot.stand.settling import settle_time, settled_ticks
 from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.stand.stand_log import StandLog
 
-STILLNESS_WINDOW = 2.0  # [s] window at the end of the run for the stillness metrics
+# [s] Window at the end of the run for the stillness metrics. Chosen: begins after the robot has
+# settled from the last push; long enough for a spectrum at 30 Hz.
+STILLNESS_WINDOW = 2.0
 
 
 def summarise(log: StandLog) -> dict[str, Any]:
-    """Compute all summary_fields.FIELDS as JSON values; None where there is no value."""
+    """Return the value of each of summary_fields.FIELDS by name; None: the run has no value."""
     parts = (
         describe_conditions(log),
         _outcome(log),
@@ -47,7 +49,8 @@ def _pose_errors(log: StandLog) -> dict[str, Any]:
     pose, requested = pose_from_feet(log.q_true, log.feet), requested_pose(log)
     up = up_in_base(log.q_true)
     tilt = np.degrees(angle_between(up, np.broadcast_to(up[0], up.shape)))
-    # World z in base axes is the last row of a rotation to a frame whose z is world z.
+    # The last row of a rotation from base axes to a frame is the frame's z axis in base axes.
+    # Here the frame's z axis is world z.
     tilt_error = angle_between(up[-1:], requested.rotation[-1:, 2, :])
     yaw = np.degrees(wrap_angle(pose.rpy[-1, 2] - requested.rpy[-1, 2]))
     travel = np.linalg.norm(log.feet - log.feet[0], axis=1)

@@ -1,4 +1,4 @@
-"""Plots of a stand: base pose, torques, contacts, power, and tick time."""
+"""Plots of a run: base pose, torques, contacts, power, and tick time."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ JOINTS = ("hip", "thigh", "calf")
 
 
 def shade_pushes(ax: Axes, log: StandLog) -> None:
-    """Shade the duration of every push."""
+    """Shade the time during which each push acts."""
     for push in log.pushes:
         ax.axvspan(push.time, push.time + push.duration, color=RED, alpha=0.25, lw=0)
 
@@ -39,7 +39,7 @@ def finish_figure(figure: Figure, axes: list[list[Axes]], log: StandLog) -> None
 
 
 def draw_pose(log: StandLog) -> Figure:
-    """Plot the base pose relative to the feet as change from the start, true and estimated."""
+    """Plot the true and the estimated base pose relative to the feet, minus their first values."""
     true = pose_from_feet(log.q_true, log.feet).rows_mm_deg
     estimated = pose_from_feet(
         log.q_estimated, foot_positions(log.robot, log.q_estimated)
@@ -62,7 +62,7 @@ def draw_pose(log: StandLog) -> Figure:
 
 
 def draw_torques(log: StandLog) -> Figure:
-    """Plot the true torques of each leg with the limits of its motors."""
+    """Plot the true torques of each leg, with the torque limits of its motors."""
     figure, axes = subplot_grid(2, 2, 4.6)
     for leg, ax in enumerate(chain.from_iterable(axes)):
         shade_pushes(ax, log)
@@ -101,7 +101,7 @@ def draw_contacts(log: StandLog) -> Figure:
 
 
 def draw_power(log: StandLog) -> Figure:
-    """Plot the total power of the motors."""
+    """Plot the power: the sum of |torque x velocity| over the motors."""
     figure, axes = subplot_grid(1, 1, 2.4)
     ax = axes[0][0]
     shade_pushes(ax, log)

@@ -16,10 +16,12 @@ _NAMED_DIRECTIONS = ("lateral", "forward")
 
 @dataclass(frozen=True)
 class PushRequest:
-    """A requested push; only a plant can convert a percentage of the LIP push limit to N.s.
+    """A requested push, with its impulse in N.s or in percent of the LIP push limit.
+
+    The LIP push limit depends on the plant, so resolve() needs a plant to convert a percentage.
 
     Attributes:
-        direction: "lateral" (left), "forward", or degrees from forward towards left.
+        direction: "lateral" (left), "forward", or an angle [deg] from forward towards left.
         impulse: Impulse [N.s], or percentage of the LIP push limit.
         percent: True if `impulse` is a percentage.
         duration: Duration [s].
@@ -35,13 +37,19 @@ class PushRequest:
     height: float = 0.0
 
     def __str__(self) -> str:
-        """Return the push in the form that parse_push() reads."""
+        """Return the push as text that parse_push() reads."""
         unit = "%" if self.percent else ""
         height = f":{self.height}" if self.height else ""
         return f"{self.direction}:{self.impulse}{unit}:{self.duration}{height}@{self.time}"
 
     def resolve(self, plant: Plant) -> Push:
-        """Return the push in N.s for the current state of a plant; raises Error."""
+        """Return the push with its impulse in N.s.
+
+        A percentage refers to the LIP push limit in the plant's present pose.
+
+        Raises:
+            Error: A value is out of range.
+        """
         impulse = self.impulse
         if self.percent:
             impulse *= plant.lip_push_limit(self.direction, self.duration) / 100.0
@@ -49,15 +57,17 @@ class PushRequest:
 
 
 def parse_push(text: str) -> PushRequest:
-    """Parse DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME.
+    """Parse a push of the form DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME.
+
+    Direction: lateral, forward, or an angle [deg] from forward towards left. Impulse: [N.s]; with a
+    % sign: percent of the LIP push limit. Length: duration of the push [s]. Height: height of the
+    line of action above the centre of mass [m]; default 0. Time: start of the push [s].
 
     Args:
-        text: Direction: lateral, forward, or degrees from forward towards left. Impulse: N.s, or
-            percent of the LIP push limit with a % sign. Length (duration) and time: s. Height of
-            the line of action above the centre of mass: m, default 0.
+        text: The push as text.
 
     Raises:
-        Error: The form is another one, a number is invalid, or a value is out of range.
+        Error: The text does not match PUSH_FORMAT, a number is invalid, or a value is out of range.
     """
     match = re.fullmatch(r"([^:@]+):([^:@%]+)(%?):([^:@]+)(?::([^:@]+))?@([^:@]+)", text.strip())
     if match is None:
@@ -73,7 +83,7 @@ def parse_push(text: str) -> PushRequest:
         _parse_number(time, "time", text),
         0.0 if height is None else _parse_number(height, "height", text),
     )
-    # Push checks the ranges; a percentage takes the place of the impulse in this check.
+    # The constructor of Push checks the ranges. It checks a percentage as if it were an impulse.
     Push(request.direction, request.impulse, request.duration, request.time, request.height)
     return request
 

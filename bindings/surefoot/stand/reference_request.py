@@ -15,16 +15,18 @@ REFERENCE_EXAMPLE = "roll=10,height=-0.02@4.0"
 AXES = {"x": "m", "y": "m", "height": "m", "roll": "deg", "pitch": "deg", "yaw": "deg"}
 """Axes of a request and their units, with the names and the order of BodyReference."""
 
-_MAX_OFFSET = {"m": 10.0, "deg": 180.0}  # by unit
+# 10 m: kMaxTarget in body_motion.cpp; 180 deg: any rotation.
+_MAX_OFFSET = {"m": 10.0, "deg": 180.0}  # largest accepted offset, by its unit
+# Numerical: sums of periods, which are whole milliseconds.
 _TIME_ROUNDING = 1e-9  # [s] tolerance for the rounding of tick times
 
 
 @dataclass(frozen=True)
 class ReferenceRequest:
-    """Requested offsets of some axes of the body pose; the other axes keep their last request.
+    """Requested offsets of some axes of the body pose; all other axes keep their last request.
 
     Attributes:
-        offsets: Offset from the latched pose by axis [m] or [deg].
+        offsets: Offset from the latched pose [m] or [deg], by the axes in AXES.
         time: Time of the request [s].
     """
 
@@ -43,20 +45,23 @@ class ReferenceRequest:
         check_number("reference: time [s]", self.time, 0.0, 1e9)
 
     def __str__(self) -> str:
-        """Return the request in the form that parse_reference() reads."""
+        """Return the request as text that parse_reference() reads."""
         words = ",".join(f"{axis}={value}" for axis, value in self.offsets.items())
         return f"{words}@{self.time}"
 
 
 def parse_reference(text: str) -> ReferenceRequest:
-    """Parse NAME=VALUE[,NAME=VALUE ...]@TIME.
+    """Parse a request of the form NAME=VALUE[,NAME=VALUE ...]@TIME.
+
+    The names are x, y and height, with values in m, and roll, pitch and yaw, with values in deg.
+    Each value is an offset from the latched pose. The time is in s.
 
     Args:
-        text: Names x, y, height with values in m; roll, pitch, yaw in deg. Values are offsets from
-            the latched pose. Time in s.
+        text: The request as text.
 
     Raises:
-        Error: The form is another one, an axis is unknown or named twice, or a number is invalid.
+        Error: The text does not match REFERENCE_FORMAT, an axis is unknown or named twice, or a
+            number is invalid.
     """
     words, at, time = text.strip().partition("@")
     pairs = [word.partition("=") for word in words.split(",")]
@@ -75,9 +80,10 @@ def parse_reference(text: str) -> ReferenceRequest:
 def reference_schedule(
     requests: Sequence[ReferenceRequest],
 ) -> list[tuple[float, dict[str, float]]]:
-    """Return the time [s] of each request and the full request from then on, by axis [m] or [deg].
+    """Return the time [s] of each request, with the offsets that apply from this time.
 
-    A later request of one axis keeps the earlier requests of the other axes.
+    The offsets are those of all six axes, by axis [m] or [deg]: an axis without a request at this
+    time keeps the offset of its last request, or 0.
     """
     requested = dict.fromkeys(AXES, 0.0)
     steps = []
@@ -93,7 +99,14 @@ def first_tick(time: float, rate: float) -> int:
 
 
 def body_references(requests: Sequence[ReferenceRequest], rate: float) -> dict[int, BodyReference]:
-    """Return the body references by the tick before which the controller receives them."""
+    """Return a dict of tick to body reference.
+
+    The controller receives each reference just before its update() in that tick.
+
+    Args:
+        requests: Requests in any order.
+        rate: Control rate [Hz].
+    """
     return {
         first_tick(time, rate): BodyReference(
             **{axis: to_si(axis, v) for axis, v in requested.items()}
@@ -103,7 +116,7 @@ def body_references(requests: Sequence[ReferenceRequest], rate: float) -> dict[i
 
 
 def to_si(axis: str, value: float) -> float:
-    """Return the value of an axis in m or rad."""
+    """Convert an offset of an axis from m or deg to m or rad."""
     return math.radians(value) if AXES[axis] == "deg" else value
 
 

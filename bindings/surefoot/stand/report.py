@@ -1,4 +1,4 @@
-"""Report of a stand: a folder with a film, plots, summary.json, and a page that shows them."""
+"""Report of a run: a folder with a film, plots, summary.json, and an HTML page that shows them."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ def write_report(
 ) -> Path:
     """Write the report and return the path of its page.
 
-    Writes index.html, film.webp, the plots and summary.json. If the film fails, the page has the
-    reason instead.
+    Writes index.html, film.webp, the plots and summary.json. If rendering the film fails, the page
+    shows the reason instead of the film.
 
     Args:
         log: Log of the run.
         summary: Result of summarise() for this run.
         folder: Target folder; created if missing.
-        command: Words of the command line that started the run, shown on the page.
-        progress: Called after every frame of the film.
+        command: Words of the command line that started the run; the page shows them.
+        progress: Function that is called after every frame of the film.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
@@ -49,7 +49,7 @@ def write_report(
 
 
 def _try_film(log: StandLog, path: Path, progress: Progress | None) -> str | None:
-    """Write the film; return the reason if it fails, else None."""
+    """Write the film; return None, or the reason of the failure as text."""
     try:
         write_film(log, path, progress)
     except Exception as problem:

@@ -1,4 +1,4 @@
-"""HTML page of a stand's report: one file without scripts, with the pictures beside it."""
+"""HTML page of a run's report: one file without scripts; the pictures are files beside it."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def render_page(
     )
     if requested:
         requested += f"<p>Reached: {escape(reached_line(summary))}</p>"
-    # The top of the page has the full lines of the pushes, so the table has a short form.
+    # The top of the page has the full lines of the pushes, so the table shows short ones.
     push_texts = [f"{push['direction']} {push['impulse_ns']:.2f} N.s" for push in summary["pushes"]]
     body = f"""<h1>{_status_mark(summary)}{escape(title)}</h1>
 <p class="soft">{escape(conditions_line(summary))}</p>

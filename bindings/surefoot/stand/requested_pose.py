@@ -17,11 +17,16 @@ from surefoot.stand.foot_frame import (
 from surefoot.stand.reference_request import AXES, first_tick, reference_schedule, to_si
 from surefoot.stand.stand_log import Array, StandLog
 
-LIMIT_WINDOW = 0.1  # [s] window at the end of the run in which a reach limit is reported
+# [s] Window at the end of the run in which reach_limit() looks for a limit. Equal to kLimitHoldTime
+# in body_motion.cpp, the time for which the controller reports a limit.
+LIMIT_WINDOW = 0.1
 
 
 def requested_offsets(log: StandLog) -> Array:
-    """Return the requested offsets (n, 6): x, y, height [m], roll, pitch, yaw [rad]."""
+    """Return the requested offsets (n, 6) from the latched pose at every tick.
+
+    Columns: x, y, height [m], roll, pitch, yaw [rad] in the support frame.
+    """
     offsets = np.zeros((len(log.time), len(AXES)))
     for time, requested in reference_schedule(log.settings.references):
         offsets[first_tick(time, log.rate) :] = [to_si(axis, requested[axis]) for axis in AXES]
@@ -31,8 +36,8 @@ def requested_offsets(log: StandLog) -> Array:
 def requested_pose(log: StandLog) -> FootFramePose:
     """Return the requested pose at every tick, in the frame of pose_from_feet().
 
-    Without references it is the first pose. Offsets are along the plane of the feet and along its
-    normal, which is not vertical on a slope.
+    Without references the requested pose is the first true pose. Requested offsets refer to the
+    support frame. On a slope its z axis, the normal of the plane of the feet, is not vertical.
     """
     n = len(log.time)
     first = pose_from_feet(log.q_true[:1], log.feet[:1])
@@ -48,7 +53,7 @@ def requested_pose(log: StandLog) -> FootFramePose:
 
 
 def reference_summary(log: StandLog) -> dict[str, Any]:
-    """Return the summary fields of references: error, displacement reached, and reach limit."""
+    """Return the summary fields of the group References; None: the run has no references."""
     fields: dict[str, Any] = {
         "reference_error_mm": None,
         "reference_error_deg": None,
@@ -76,7 +81,8 @@ def reference_summary(log: StandLog) -> dict[str, Any]:
 def reach_limit(log: StandLog) -> str:
     """Return the limit that stopped the body reference: none, joint NAME, support, foot height ...
 
-    Between two attempts of a body at its limit no limit is active, so the last LIMIT_WINDOW counts.
+    At a limit the controller clears the limit from time to time and tests it again. So this
+    function returns the last limit within the last LIMIT_WINDOW seconds.
     """
     last = slice(-max(1, round(LIMIT_WINDOW * log.rate)), None)
     limited_ticks = np.flatnonzero(log.reach[last] != ReachLimit.NONE.value)

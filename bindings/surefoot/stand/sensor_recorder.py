@@ -15,11 +15,10 @@ from surefoot.sim import Truth
 
 
 class SensorRecorder:
-    """Recorder of every LowState that a controller receives, with the truth of the same instant.
+    """Recorder of every LowState that a controller receives, with the true state of the plant.
 
-    With real sensors a LowState is one control period old when the controller receives it. Row k
-    has the k-th LowState and the truth at the instant when its sensors were sampled, not at the
-    call of the controller.
+    Row k has the k-th LowState and the true state at the time when the sensors were sampled. With
+    real sensors this is one control period before the controller receives the LowState.
     """
 
     def __init__(self) -> None:
@@ -27,7 +26,7 @@ class SensorRecorder:
         self._truths: list[Truth] = []
 
     def record(self, state: LowState, truth: Truth) -> None:
-        """Append a row."""
+        """Append a LowState and the true state at its sampling time as one row."""
         self._states.append(state.to_bytes())
         self._truths.append(truth)
 
@@ -37,7 +36,14 @@ class SensorRecorder:
         return np.frombuffer(b"".join(self._states), dtype=np.uint8).reshape(-1, LOW_STATE.itemsize)
 
     def log(self, source: str = "surefoot stand") -> SensorLog:
-        """Return the rows so far: unrounded sensor columns and truth_ columns; raises Error."""
+        """Return the recorded rows as a log: unrounded sensor columns, and columns truth_*.
+
+        Args:
+            source: Name of the log in messages.
+
+        Raises:
+            Error: The clock of the LowStates is constant, goes backwards, or has a wrong unit.
+        """
         columns = sensor_columns(self.reports)
         columns.update(self._truth_columns())
         clock, time = read_clock(source, columns)

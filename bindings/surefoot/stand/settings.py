@@ -1,4 +1,4 @@
-"""Settings of a stand."""
+"""Settings of a run."""
 
 from __future__ import annotations
 
@@ -11,25 +11,30 @@ from surefoot.sim import PlantSettings
 from surefoot.stand.push_request import PushRequest
 from surefoot.stand.reference_request import ReferenceRequest
 
-MAX_DURATION = 600.0  # [s]; limits the memory: a log at 500 Hz then takes about 1 GB
+# [s] Longest run. Derived from the memory: the log of such a run at 500 Hz takes about 1 GB.
+MAX_DURATION = 600.0
 
 
 @dataclass(frozen=True)
 class StandSettings:
-    """Settings of one run: robot, plant, pushes, references, controller. Equal settings, equal run.
+    """Settings of one run: robot, plant, pushes, references and controller.
+
+    Equal settings give equal runs.
 
     Attributes:
         robot: A name of surefoot.available_robots(), or a description from describe_robot().
-        duration: Duration of the run [s]; a fall ends it earlier.
+        duration: Duration of the run [s]; a fall ends the run earlier.
         plant: Sensors, ground, payload, control rate and seed. The control period must be a whole
             number of milliseconds, the unit of LowState.tick.
         pushes: Requested pushes, in any order.
-        references: Requested body poses; requests of the same time apply in this order.
-        gains: Gains of the controller; None for the robot's own gains.
-        motor_damping: Motor-side damping in every command [N.m.s/rad]; 0 is pure torque mode.
+        references: Requested body poses; requests for the same time apply in the order of this
+            tuple.
+        gains: Gains of the controller; None: the robot's own gains.
+        motor_damping: Motor-side damping in every command [N.m.s/rad]; 0: torque mode.
         form: Form of the controller's QP.
-        predicted_delay: Delay from a measurement to the action of its command over which the
-            controller predicts the state [s]; PlantSettings.extra_delay delays the plant.
+        predicted_delay: Delay [s] from a measurement until the resulting command acts. The
+            controller predicts the state over this delay. The setting does not delay the plant;
+            PlantSettings.extra_delay does.
     """
 
     robot: str | RobotDescription = "go1"

@@ -10,6 +10,8 @@ from surefoot.stand.foot_frame import pose_from_feet, rotation_angle
 from surefoot.stand.requested_pose import requested_pose
 from surefoot.stand.stand_log import StandLog
 
+# Chosen: larger than the sway at rest; an engineer beside the robot begins to notice such errors
+# (tune/cost.py).
 SETTLED_DISTANCE = 0.010  # [m] tolerance of the base position
 SETTLED_ANGLE = math.radians(2.0)  # [rad] tolerance of the base attitude
 SETTLED_SPEED = 0.05  # [m/s] tolerance of the base speed
@@ -18,8 +20,8 @@ SETTLED_SPEED = 0.05  # [m/s] tolerance of the base speed
 def settled_ticks(log: StandLog) -> np.ndarray:
     """Return a mask (n,) of ticks at which the robot stands still in its desired pose.
 
-    The desired pose is the first pose, or the requested one. Errors are relative to the true feet,
-    so a robot whose feet were displaced is settled if its body is above them.
+    The desired pose is the requested pose or, without references, the first pose. Both poses are
+    relative to the true feet. So a robot that stepped is settled if its base is above its feet.
     """
     pose = pose_from_feet(log.q_true, log.feet)
     requested = requested_pose(log)
@@ -34,8 +36,8 @@ def settled_ticks(log: StandLog) -> np.ndarray:
 def settle_time(log: StandLog) -> float | None:
     """Return the time from the last event until the robot stays settled [s], or None.
 
-    The last event is the end of the last push or the last reference, whichever is later. None: no
-    event, a fall, or not settled at the end.
+    The last event is the end of the last push or the last reference, whichever is later. None: the
+    run has no event, the robot fell, or the robot is not settled at the end of the run.
     """
     ends = [push.time + push.duration for push in log.pushes]
     ends += [request.time for request in log.settings.references]

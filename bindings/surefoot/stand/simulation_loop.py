@@ -1,4 +1,7 @@
-"""Simulation loop of a stand: LowState to the controller, LowCmd to the plant, both to the log."""
+"""Simulation loop of a run: passes LowStates to the controller and LowCmds to the plant.
+
+The loop logs the true state, the estimates and the commands of every tick.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ MOTOR_COUNT = 12
 SERVO = 0x0A
 
 Progress = Callable[[str, int, int], None]
-"""Called with the name of the activity, the number of steps done, and their total."""
+"""Function that receives the name of an activity, the steps done, and the total of its steps."""
 
 
 def run_stand(
@@ -28,17 +31,19 @@ def run_stand(
     progress: Progress | None = None,
     sensors: SensorRecorder | None = None,
 ) -> StandLog:
-    """Run a stand to its end, or until the robot falls.
+    """Simulate a standing robot for settings.duration, or until the robot falls.
 
-    The controller receives LowState and the model of its robot only. The truth goes to the log.
+    The controller receives only LowStates and the model of its robot. Only the log and `sensors`
+    receive the true state.
 
     Args:
         settings: Settings of the run.
-        progress: Called after every tick.
-        sensors: Records every LowState for the controller, with the truth of its instant.
+        progress: Function that is called after every tick.
+        sensors: Recorder that receives every LowState and the true state at its sampling time.
 
     Raises:
-        Error: The robot is unknown, or gains or options are out of range; nothing has run then.
+        Error: The robot is unknown, or a gain, an option or a push is out of range. The error is
+            raised before the first tick.
     """
     plant = make_plant(settings)
     gains = settings.gains or plant.robot.config.gains
@@ -58,7 +63,7 @@ def run_stand(
         elapsed = perf_counter_ns() - start
         recorder.record(truth, controller, command, elapsed / 1000.0)
         state = plant.step(command)
-        # A sample of real sensors is one period old: it shows the state before this step.
+        # A sample of real sensors is one period old, so its true state is that before this step.
         previous, truth = truth, plant.truth
         sample_truth = previous if plant.settings.real else truth
         if progress is not None:
@@ -69,16 +74,20 @@ def run_stand(
 
 
 def make_plant(settings: StandSettings) -> Plant:
-    """Build the plant of a run, pushes included; raises Error."""
+    """Build the plant of a run, with its pushes.
+
+    Raises:
+        Error: The robot is unknown, or a push is out of range.
+    """
     plant = Plant(settings.robot, settings.plant)
-    # Resolve all pushes before any acts: the LIP push limit is that of the robot at rest.
+    # Convert all pushes to N.s at once: the LIP push limit refers to the robot at rest.
     for push in [request.resolve(plant) for request in settings.pushes]:
         plant.add_push(push)
     return plant
 
 
 def is_torque_mode(command: LowCmd) -> bool:
-    """Return True if all twelve motors are in torque mode: no stiffness, no damping."""
+    """Return True if a command has all twelve motors in torque mode: no stiffness, no damping."""
     motors = (command.motorCmd[i] for i in range(MOTOR_COUNT))
     return all(
         motor.mode == SERVO
@@ -109,7 +118,7 @@ def _lip_share(plant: Plant, push: Push) -> float:
 
 
 class _LogRecorder:
-    """Arrays of the log, filled row by row.
+    """Arrays of the log; record() fills one row of each array per tick.
 
     Args:
         ticks: Number of rows to allocate.
@@ -137,7 +146,7 @@ class _LogRecorder:
     def record(
         self, truth: Truth, controller: StandController, command: LowCmd, tick_us: float
     ) -> None:
-        """Append a row."""
+        """Append the values of one tick as a row."""
         rows, k = self._rows, self._count
         estimate, reach = controller.state, controller.reach
         rows["time"][k], rows["tick_us"][k] = truth.time, tick_us
@@ -157,5 +166,5 @@ class _LogRecorder:
         self._count += 1
 
     def arrays(self) -> dict[str, Any]:
-        """Return the rows recorded so far, by name."""
+        """Return the recorded rows of every array, by the array's name."""
         return {name: rows[: self._count] for name, rows in self._rows.items()}

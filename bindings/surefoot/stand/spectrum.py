@@ -8,17 +8,19 @@ import numpy as np
 
 from surefoot.stand.stand_log import Array
 
-HIGH_FREQUENCY = 30.0  # [Hz] content from here on counts
+# [Hz] Lower bound of the high-frequency band. Chosen: above the motion of the body (at most 7.1 Hz)
+# and below half of the control rate (250 Hz).
+HIGH_FREQUENCY = 30.0
 
 
 def high_frequency_rms(signal: Array, rate: float) -> Array:
-    """Return the RMS (m,) of the content of signals (n, m) from 30 Hz on.
+    """Return the RMS (m,) of the components of signals at HIGH_FREQUENCY and above.
 
     Sums the power of a Hann-windowed spectrum. The window keeps slow changes from leaking into high
-    frequencies. NaN: fewer than 16 samples, or a rate of 60 Hz or less.
+    frequencies. NaN: there are fewer than 16 samples, or the rate is 60 Hz or less.
 
     Args:
-        signal: (n, m) samples at `rate`.
+        signal: (n, m) samples of m signals, in any unit; the RMS has the same unit.
         rate: Sample rate [Hz].
     """
     n = len(signal)
@@ -27,7 +29,8 @@ def high_frequency_rms(signal: Array, rate: float) -> Array:
         return np.full(signal.shape[1], math.nan)
     window = np.hanning(n + 1)[:-1]
     spectrum = np.fft.rfft((signal - signal.mean(axis=0)) * window[:, None], axis=0)
-    # Parseval: a one-sided bin counts twice, except the first, and the last of an even n.
+    # Parseval: each bin of the one-sided spectrum has weight 2. The zero-frequency bin and, for
+    # even n, the Nyquist bin have weight 1.
     bin_weight = np.full(len(frequency), 2.0)
     bin_weight[0] = 1.0
     if n % 2 == 0:

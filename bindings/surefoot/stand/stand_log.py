@@ -17,37 +17,38 @@ IntArray = npt.NDArray[np.int64]
 
 @dataclass(frozen=True)
 class StandLog:
-    """Log of one run. Row k of every array is the instant of the controller's k-th call.
+    """Log of one run. Row k of every array belongs to the k-th call of update().
 
-    True quantities are MuJoCo's at that instant. Estimates are the estimator's after that call;
-    with real sensors they come from a sample that is one control period old, as on the robot. Feet
-    are FR FL RR RL, motors in SDK order, world z is up.
+    True quantities are the state of MuJoCo at the time of this call. Estimates are the state of the
+    estimator after this call. With real sensors an estimate comes from a sample that is one control
+    period old, as on the robot. Feet are in leg order, motors in motor order; world z is up.
 
     Attributes:
         settings: Settings of the run.
         robot: The controller's model of the robot.
-        foot_force: Foot force fields that have data: "est", "raw" or "dead" (none).
-        pushes: Applied pushes, with impulses in N.s.
-        push_shares: Each impulse over the LIP push limit in its direction and duration.
-        lip_limit: LIP push limit for 0.1 s in the initial pose [N.s]; keys "lateral", "forward".
+        foot_force: Foot force field that has data: "est", "raw", or "dead" if both are zero.
+        pushes: Pushes of the run, with impulses in N.s.
+        push_shares: Ratio of each impulse to the LIP push limit for its direction and duration.
+        lip_limit: LIP push limit for pushes of 0.1 s in the initial pose [N.s]; keys "lateral" and
+            "forward".
         fell: True if the robot fell; the log then ends with the last tick before the fall.
         time: (n,) time [s].
         q_true: (n, nq) Pinocchio configuration: position [m], quaternion x y z w, joints [rad].
         v_true: (n, nv) base twist in base axes [m/s, rad/s], joint velocities [rad/s].
         feet: (n, 3, 4) true centres of the foot spheres in the world frame [m].
         forces: (n, 3, 4) force of the ground on each foot in world axes [N].
-        com: (n, 3) true centre of mass in the world frame, payload included [m].
+        com: (n, 3) true centre of mass in the world frame, including the payload [m].
         tau: (n, 12) true motor torques [N.m].
         dq: (n, 12) true joint velocities [rad/s].
-        q_estimated: (n, nq) as q_true, in the estimator's world frame.
-        v_estimated: (n, nv) as v_true.
+        q_estimated: (n, nq) estimate of q_true, in the estimator's world frame.
+        v_estimated: (n, nv) estimate of v_true.
         contact: (n, 4) contact confidence of each foot in StandController.state, 0 .. 1.
         status: (n,) surefoot.Status of the tick.
         fallback_level: (n,) surefoot.FallbackLevel of the tick's command.
-        torque_mode: (n,) True if all twelve motors were commanded in torque mode.
+        torque_mode: (n,) True if the command has all twelve motors in torque mode.
         iterations: (n,) iterations of the QP solver.
         reach: (n,) surefoot.ReachLimit that stops the body reference before its target.
-        reach_motor: (n,) SDK motor of that limit, or -1.
+        reach_motor: (n,) motor whose joint limit stops the body reference; -1: none.
         tick_us: (n,) wall time of StandController.update() as called from Python [us].
         commands: (n, 734) bytes of the LowCmds.
     """

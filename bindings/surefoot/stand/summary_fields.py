@@ -1,4 +1,4 @@
-"""Meaning of each summary field, in one place for the report, the documentation and the tests."""
+"""Name, unit, meaning and group of each summary field, for report, documentation and tests."""
 
 from __future__ import annotations
 
@@ -167,4 +167,4 @@ FIELDS: tuple[Field, ...] = tuple(
     for group, rows in _GROUPS.items()
     for name, unit, meaning in rows
 )
-"""All entries of surefoot.stand.summarise(), in their order."""
+"""All fields that surefoot.stand.summarise() returns, in the same order."""

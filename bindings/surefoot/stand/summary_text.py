@@ -39,7 +39,7 @@ def conditions_line(s: dict[str, Any]) -> str:
 
 
 def _plant_deviations(s: dict[str, Any]) -> list[str]:
-    """Return the deviations of motors and ground from their nominal settings."""
+    """Return the settings of motors and ground that differ from their defaults, as text."""
     usual_lag = 1000.0 * PlantSettings(sensors=s["sensors"]).lag
     flaws = (
         (s["soft_ground_sink"] > 0.0, f"ground soft by {1000.0 * s['soft_ground_sink']:g} mm"),
@@ -89,7 +89,7 @@ def summary_text(s: dict[str, Any]) -> str:
 
 
 def reached_line(s: dict[str, Any]) -> str:
-    """Return the final error to the requested pose, and the reach limit if there was one."""
+    """Return the final distance from the requested pose, and any reach limit, as text."""
     error_text = (
         f"{s['reference_error_mm']:.2f} mm and {s['reference_error_deg']:.2f} deg from the request"
     )

@@ -13,7 +13,10 @@ _PACKAGES = ("surefoot", "pin", "mujoco", "numpy")
 
 
 def describe_machine() -> dict[str, Any]:
-    """Return processor, cores, governor, load, system, Python and versions; None if unknown."""
+    """Return processor, cores, governor, load, system, Python and versions by name.
+
+    An unknown value is None.
+    """
     return {
         "cpu": _cpu_model(),
         "cores": os.cpu_count(),

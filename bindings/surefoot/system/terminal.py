@@ -1,4 +1,4 @@
-"""Terminal of a command: prints lines, and tells whether a keyboard is available."""
+"""Terminal of a command: printer of lines, and check whether a keyboard is available."""
 
 from __future__ import annotations
 
@@ -28,5 +28,5 @@ def has_keyboard() -> bool:
     try:
         # The system stops a background process that reads from its terminal.
         return os.tcgetpgrp(sys.stdin.fileno()) == os.getpgrp()
-    except OSError:  # not the controlling terminal of this process
+    except OSError:  # stdin is not the controlling terminal of this process
         return False

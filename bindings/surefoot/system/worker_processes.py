@@ -1,4 +1,4 @@
-"""Worker processes: new interpreters with one thread each, which end with their parent."""
+"""Worker processes: new interpreters that use one numerical thread and end with their parent."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ _THREAD_COUNT_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_T
 def spawn_context() -> SpawnContext:
     """Return the multiprocessing context that spawns new interpreters.
 
-    A fork would copy the locks, but not the threads, of MuJoCo and Optuna. Also limits the workers
-    to one numerical thread each, by environment variables: workers with more threads would compete
-    for the cores. The variables are set here because numpy reads them on import.
+    A fork would copy the locks of MuJoCo and Optuna but not their threads. The function also sets
+    environment variables that limit each worker to one numerical thread, so that the workers do
+    not compete for the cores. A worker's numpy reads these variables on import.
     """
     for name in _THREAD_COUNT_VARIABLES:
         os.environ.setdefault(name, "1")

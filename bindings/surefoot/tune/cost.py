@@ -1,8 +1,8 @@
 """Cost of a run: one number for how well a robot stood.
 
-Each term is scaled so that 1 is a deviation that an engineer beside the robot begins to notice. An
-objective is a weighted sum of terms, limited to FALL_COST. A fall adds between FALL_COST and twice
-that, more for an earlier fall. So every run with a fall costs more than any run without.
+A term has the value 1 when an engineer beside the robot begins to notice the deviation. An
+objective is a weighted sum of terms, limited to FALL_COST. A fall adds between FALL_COST and
+2 FALL_COST, more if it is earlier. So a run with a fall always costs more than a run without.
 """
 
 from __future__ import annotations
@@ -18,15 +18,18 @@ from surefoot.stand.settling import SETTLED_ANGLE, SETTLED_DISTANCE, SETTLED_SPE
 from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.tune.trace import Trace
 
+# Chosen: the largest sum of the terms; only its order against other runs matters.
 FALL_COST = 100.0
-STILL_TIME = 0.4  # [s] before the first push, and at the end, in which the robot should be still
+# Chosen. Below: too few samples of 30 Hz; above: FIRST_PUSH_TIME, 0.6 s, less the start.
+STILL_TIME = 0.4  # [s] length of the intervals of rest: before the first push, and at the end
 
+# Chosen by hand, each for what its name says; docs/tuning-search.md lists them. Not measured.
 OBJECTIVES: dict[str, dict[str, float]] = {
     "balance": {"sway": 1.0, "tilt": 1.0, "settle": 1.0, "feet": 0.5, "buzz": 0.5, "still": 0.5},
     "quiet": {"sway": 0.2, "tilt": 0.2, "settle": 0.2, "feet": 0.2, "buzz": 2.0, "still": 2.0},
     "power": {"sway": 0.3, "tilt": 0.3, "settle": 0.3, "feet": 0.2, "buzz": 0.3, "power": 2.0},
 }
-"""Weights of the terms of each objective."""
+"""Weight of each term in each objective."""
 
 TERMS = {
     "sway": "RMS displacement of the base from its first position, relative to the feet / 10 mm",
@@ -37,7 +40,7 @@ TERMS = {
     "still": "RMS joint velocity while still / 0.01 rad/s",
     "power": "mean of sum |tau dq| / power that lifts the robot at 10 mm/s",
 }
-"""Definition of each term, divided by the value that gives 1."""
+"""Definition of each term, as a quantity / the value of this quantity that gives 1."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,8 @@ class Cost:
 
     Attributes:
         value: Weighted sum of the terms, plus terms["fall"].
-        terms: All terms of TERMS, and "fall": 0, or FALL_COST to 2 FALL_COST after a fall.
+        terms: All terms of TERMS, and "fall". terms["fall"] is 0 without a fall, else FALL_COST to
+            2 FALL_COST.
     """
 
     value: float
@@ -57,10 +61,10 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
     """Compute the cost of a trace.
 
     Args:
-        trace: Rows from a still pose on; the first row is the reference pose.
+        trace: State of the plant in every control period; its first row is the reference pose.
         objective: One of OBJECTIVES.
-        expected_rows: Planned number of rows; None: the rows of the trace. A fall costs more, the
-            fewer of these rows exist.
+        expected_rows: Planned number of rows. None: the number of rows of the trace. A fall costs
+            more if fewer of the planned rows exist.
 
     Raises:
         Error: The objective is unknown, or the trace has no rows.
@@ -71,7 +75,7 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
     terms = _cost_terms(trace)
     whole = max(expected_rows or len(trace), 1)
     terms["fall"] = FALL_COST * (2.0 - min(len(trace) / whole, 1.0)) if trace.fell else 0.0
-    # A diverged simulation makes terms NaN or infinite: count each as FALL_COST.
+    # A diverged simulation makes terms NaN or infinite. Replace each such term by FALL_COST.
     terms = {
         name: float(np.nan_to_num(term, nan=FALL_COST, posinf=FALL_COST))
         for name, term in terms.items()
@@ -81,7 +85,7 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
 
 
 def objective_weights(objective: str) -> dict[str, float]:
-    """Return the weights of an objective; raises Error with the valid names."""
+    """Return the weights of an objective; raise Error if the name is unknown."""
     if objective not in OBJECTIVES:
         raise Error(f"objective: got '{objective}', expected one of {', '.join(OBJECTIVES)}")
     return OBJECTIVES[objective]
@@ -107,7 +111,7 @@ def _cost_terms(trace: Trace) -> dict[str, float]:
 
 
 def _still_rows(trace: Trace) -> list[slice]:
-    """Return the rows of STILL_TIME before the first push and at the end, else all rows."""
+    """Return the rows of both intervals of rest (see STILL_TIME); all rows if there are none."""
     count, rows = round(STILL_TIME * trace.rate), len(trace)
     pushed = np.flatnonzero(trace.column("push") > 0.0)
     first = int(pushed[0]) if len(pushed) else rows
@@ -118,7 +122,7 @@ def _still_rows(trace: Trace) -> list[slice]:
 def _settling_time(trace: Trace, displacement: Array, angle: Array) -> float:
     """Return the mean time [s] from the end of a push until the robot has settled.
 
-    At most the time until the next push counts.
+    The time of each push is limited to the time until the next push.
     """
     push = trace.column("push") > 0.0
     push_ends = np.flatnonzero(push[:-1] & ~push[1:]) + 1

@@ -16,7 +16,7 @@ class Trace:
 
     Args:
         plant: The plant.
-        ticks: Capacity in rows; further rows replace the oldest ones.
+        ticks: Capacity in rows; further rows replace the oldest rows.
 
     Attributes:
         fell: True if the robot has fallen since the last clear().
@@ -79,8 +79,9 @@ class Trace:
 
         Args:
             name: "time" (n,) [s]; "base" (n, 7) position [m] and quaternion w x y z; "velocity"
-                (n, 3) [m/s], "feet" (n, 4, 3) [m], world axes; "tau" (n, 12) [N.m]; "dq" (n, 12)
-                [rad/s]; "push" (n,) greatest component of the push force [N].
+                (n, 3) of the base [m/s]; "feet" (n, 4, 3) positions [m]; "tau" (n, 12) [N.m]; "dq"
+                (n, 12) [rad/s]; "push" (n,) greatest component of the push force [N]. All vectors
+                are in world axes.
         """
         rows = self._rows[name]
         if self._count <= self._capacity:

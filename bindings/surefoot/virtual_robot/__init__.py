@@ -1,4 +1,4 @@
-"""Virtual robot: a plant in MuJoCo behind the robot's end of the SDK's UDP frames."""
+"""Virtual robot: a plant in MuJoCo that receives and sends the UDP frames of the SDK."""
 
 from surefoot.virtual_robot.joint_shaking import Shake, parse_shake
 from surefoot.virtual_robot.remote import RemoteEvent, read_remote_script

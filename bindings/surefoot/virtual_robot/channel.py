@@ -1,4 +1,4 @@
-"""One direction of a link, with loss and delay of datagrams."""
+"""One direction of a link, with lost and delayed datagrams."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from surefoot.virtual_robot.udp_port import Datagram
 
 
 class Channel:
-    """Link direction that loses some datagrams and delays the others; order is kept.
+    """One direction of a link: loses some datagrams and delays the rest without changing the order.
 
     Args:
         drop: Share of lost datagrams [%].
-        delay: Delay of all other datagrams [s].
-        jitter: Additional random delay, uniform in [0, jitter] [s].
+        delay: Delay of every datagram that is not lost [s].
+        jitter: Upper limit of an additional random delay [s]; uniform from 0.
         rng: Random generator of losses and jitter.
 
     Attributes:
@@ -43,7 +43,7 @@ class Channel:
     def take(self, time: float) -> list[Datagram]:
         """Remove and return the datagrams that arrived by a time [s], oldest first."""
         arrived = []
-        # Times are sums of periods, so allow for rounding errors.
+        # 1e-9 s covers the rounding errors of times, which are sums of periods.
         while self._in_flight and self._in_flight[0][0] <= time + 1e-9:
             arrived.append(self._in_flight.popleft()[1])
         return arrived

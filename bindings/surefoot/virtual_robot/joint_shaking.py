@@ -1,4 +1,4 @@
-"""External sine torques on joints of a hung robot, to test the power protection."""
+"""External sine torques on the joints of a hung robot, to test the power protection."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ _JOINTS = ("hip", "thigh", "calf")
 
 @dataclass(frozen=True)
 class Shake:
-    """External torque on a joint: torque * sin(2 pi frequency (t - time)).
+    """External torque on a joint at time t: torque * sin(2 pi frequency (t - time)).
 
     Attributes:
-        motor: SDK motor of the joint, 0 .. 11.
-        torque: Amplitude [N.m].
-        frequency: Frequency [Hz].
-        time: Start [s].
-        duration: Duration [s].
+        motor: Number of the joint in motor order, 0 .. 11.
+        torque: Amplitude of the torque [N.m].
+        frequency: Frequency of the torque [Hz].
+        time: Time at which the torque begins [s].
+        duration: Duration of the torque [s].
     """
 
     motor: int
@@ -44,7 +44,15 @@ class Shake:
 
 
 def parse_shake(text: str) -> Shake:
-    """Parse JOINT:TORQUE:HZ@TIME[:DURATION]; JOINT is FR_2, FR_calf or 2; raises Error."""
+    """Parse a shake of the form JOINT:TORQUE:HZ@TIME[:DURATION].
+
+    Args:
+        text: The shake as text. JOINT is a name such as FR_2, FR_calf or 2; TORQUE is in N.m, HZ in
+            Hz, TIME and DURATION are in s. Without DURATION the shake does not end.
+
+    Raises:
+        Error: The text does not have this form, or a value is invalid.
+    """
     try:
         joint_part, time_part = text.split("@")
         joint, torque, frequency = joint_part.split(":")
@@ -57,7 +65,11 @@ def parse_shake(text: str) -> Shake:
 
 
 def find_motor(name: str) -> int:
-    """Return the SDK motor, 0 .. 11, for a name such as FR_2, FR_calf or 2; raises Error."""
+    """Return the number in motor order, 0 .. 11, of a joint name such as FR_2, FR_calf or 2.
+
+    Raises:
+        Error: There is no joint with this name.
+    """
     if re.fullmatch(r"\d{1,2}", name) and int(name) < MOTOR_COUNT:
         return int(name)
     leg, _, joint = name.partition("_")
@@ -76,7 +88,7 @@ class JointShaker:
         self._end = max((shake.time + shake.duration for shake in shakes), default=-math.inf)
 
     def torque(self, time: float) -> Array | None:
-        """Return the torques (12,) [N.m] at a time [s], or None after the end of all shakes."""
+        """Return the joint torques (12,) [N.m] at a time [s]; None after the end of all shakes."""
         if time >= self._end:
             return None
         torque = np.zeros(MOTOR_COUNT)

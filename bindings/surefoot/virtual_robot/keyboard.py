@@ -1,4 +1,4 @@
-"""Keyboard of the terminal as a wireless remote."""
+"""Keyboard of the terminal that operates the wireless remote."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ KEYS_HELP = (
     "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), "
     "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
 )
-BUTTON_HOLD_TIME = (
-    0.5  # [s] after which a button is released: a terminal does not report key releases
-)
-STICK_STEP = 0.25  # change of a stick, -1 .. 1, per key press
+# [s] Time after which a button is released, because a terminal does not report key releases.
+# Chosen: longer than the delay of key repetition, and long enough for a controller to notice.
+BUTTON_HOLD_TIME = 0.5
+# Change of a stick position (-1 .. 1) per key press. Chosen: four presses move a stick to its end.
+STICK_STEP = 0.25
 _STICK_KEYS = {
     **{
         "a": ("lx", -STICK_STEP),
@@ -42,9 +43,12 @@ _BUTTON_KEYS = {
 
 
 class Keyboard:
-    """Context manager that reads keys without blocking and restores the terminal at its end.
+    """Context manager that reads keys without blocking, and restores the terminal at its end.
 
-    Does nothing if stdin is no terminal, or if the process runs in the background of its terminal.
+    Reads no keys if stdin is not a terminal, or if the process runs in the background.
+
+    Args:
+        remote: Remote that the keys operate.
     """
 
     def __init__(self, remote: Remote) -> None:
@@ -74,7 +78,11 @@ class Keyboard:
             termios.tcsetattr(sys.stdin, termios.TCSADRAIN, self._terminal_state)
 
     def poll(self, time: float) -> None:
-        """Apply the keys pressed by `time` [s], and release buttons after BUTTON_HOLD_TIME."""
+        """Apply the keys pressed since the last poll, and release buttons after BUTTON_HOLD_TIME.
+
+        Args:
+            time: Present time [s].
+        """
         if self.is_available and select.select([sys.stdin], [], [], 0.0)[0]:
             self.type_text(os.read(sys.stdin.fileno(), 64).decode(errors="ignore"), time)
         for button in [
@@ -84,7 +92,7 @@ class Keyboard:
             self._remote.apply(RemoteEvent(time, "release", button))
 
     def type_text(self, text: str, time: float) -> None:
-        """Apply the keys in a text at a time [s]."""
+        """Apply the keys of a text at a time [s]."""
         while text:
             key = text[:3] if text.startswith("\x1b[") else text[0]
             text = text[len(key) :]

@@ -1,27 +1,29 @@
-"""Pacing of simulated time by the wall clock, with absolute deadlines."""
+"""Pacing of simulated cycles by the wall clock, with absolute deadlines."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
 
-MAX_CATCH_UP = 0.01  # [s] longest delay that is caught up; more would cause a burst of samples
+# [s] Longest delay that is caught up; catching up a longer delay would cause a burst of samples.
+# Equal to kHoldTime of the controller, which tolerates gaps of this length.
+MAX_CATCH_UP = 0.01
 
 
 class RealTimePacer:
-    """Pacer of simulated cycles by a clock.
+    """Pacer that starts simulated cycles at the times of a clock.
 
-    The next cycles catch up a delay of up to 10 ms. A longer delay is not caught up: all deadlines
-    move, and simulated time falls behind the clock. `real_time_factor` is their ratio.
+    After a delay of at most MAX_CATCH_UP, the next cycles run faster to catch up. After a longer
+    delay, all deadlines move, so the simulated time stays behind the clock.
 
     Args:
         period: Period of a cycle [s].
-        read_clock: Function that returns the clock [s].
-        sleep: Function that waits [s].
+        read_clock: Function that returns the time of the clock [s].
+        sleep: Function that waits for a time [s].
 
     Attributes:
         slipped: Sum of the delays that were not caught up [s].
-        cycles: Number of cycles so far.
+        cycles: Number of calls of wait().
     """
 
     def __init__(
@@ -42,7 +44,7 @@ class RealTimePacer:
 
     @property
     def real_time_factor(self) -> float:
-        """Ratio of simulated to clock time since the start; 1 is real time."""
+        """Ratio of simulated time to clock time since the start; 1: real time."""
         return self.cycles * self._period / max(self.elapsed, 1e-9) if self.cycles else 1.0
 
     def wait(self) -> None:

@@ -1,20 +1,22 @@
-"""Real-time scheduling, so that other processes and Python do not delay the virtual robot."""
+"""Real-time priority, so that other processes and Python do not delay the virtual robot."""
 
 from __future__ import annotations
 
 import gc
 import os
 
-_PRIORITY = 70  # below the controller's, above all ordinary processes
+# SCHED_FIFO priority. Chosen: below the priority of the controller, 80 (kPriority).
+_PRIORITY = 70
 
 
 class RealTimePriority:
-    """Context manager: SCHED_FIFO where the system permits it, and no garbage collection.
+    """Context manager that requests SCHED_FIFO and switches off the garbage collector of Python.
 
-    A simulation cycle makes no reference cycles, so memory does not grow without the collector.
+    The cycles of the virtual robot create no reference cycles, so memory does not grow without the
+    collector.
 
     Attributes:
-        granted: Scheduling that the system granted, in words.
+        granted: Scheduling that the system granted, as text.
     """
 
     granted = "not requested"

@@ -1,4 +1,4 @@
-"""State of the wireless remote, and scripts that operate it."""
+"""Wireless remote: its state, and scripts of its operation."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ _BUTTONS = {name.upper(): button for name, button in Button.__members__.items()}
 
 @dataclass(frozen=True)
 class RemoteEvent:
-    """Operation of the remote.
+    """One operation of the remote: a button is pressed or released, or a stick is moved.
 
     Attributes:
-        time: Time [s].
-        action: "press", "release", or a stick: "lx", "ly", "rx", "ry", "L2" (the trigger).
-        button: Button that is pressed or released.
-        value: New position of the stick, -1 .. 1.
+        time: Time of the operation [s].
+        action: "press", "release", or the stick that is moved: "lx", "ly", "rx", "ry", "L2" (the
+            trigger).
+        button: Button that is pressed or released; None if a stick is moved.
+        value: New position of the stick, -1 .. 1; unused for a button.
     """
 
     time: float
@@ -37,7 +38,7 @@ def read_remote_script(path: str | Path) -> tuple[RemoteEvent, ...]:
         Events in order of time.
 
     Raises:
-        Error: The file cannot be read, or a line is invalid; the message has its number.
+        Error: The file cannot be read, or a line is invalid; the message has the line number.
     """
     try:
         lines = Path(path).read_text(encoding="utf-8").splitlines()
@@ -57,7 +58,11 @@ def read_remote_script(path: str | Path) -> tuple[RemoteEvent, ...]:
 
 
 def parse_event(words: Sequence[str]) -> RemoteEvent:
-    """Parse the words of one line; raises Error."""
+    """Parse the words of one line of a script.
+
+    Raises:
+        Error: The words are not an operation of the remote, or a value is out of range.
+    """
     if len(words) != 3:
         raise Error(f"got {len(words)} words, expected TIME press|release BUTTON or TIME STICK X")
     time, action, argument = _number("time", words[0], 0.0, 1e9), words[1], words[2]
@@ -114,5 +119,5 @@ class Remote:
         self.bytes = state.to_bytes()
 
     def stick(self, name: str) -> float:
-        """Return the position of a stick, -1 .. 1."""
+        """Return the present position of a stick, -1 .. 1."""
         return float(getattr(self._state, name))

@@ -1,4 +1,4 @@
-"""The virtual robot and its cycle: receive a command, simulate one period, send a sample."""
+"""Virtual robot: in each cycle, it receives a command, simulates one period and sends a sample."""
 
 from __future__ import annotations
 
@@ -21,35 +21,38 @@ from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import DatagramPort
 from surefoot.virtual_robot.watchdog import Watchdog
 
-_FALL_CHECK_PERIOD = 0.02  # [s] between two checks whether the robot fell
-_LYING_RNG_STREAM = 12  # random stream of the lying pose; the plant has 0 .. 3, the link 10, 11
+# [s] Time between two checks for a fall. Chosen: a fall lasts some tenths of a second, and a check
+# in every cycle would cost time.
+_FALL_CHECK_PERIOD = 0.02
+_LYING_RNG_STREAM = 12  # random stream of the lying pose; the plant uses 0 .. 3, the link 10, 11
 
 
 class VirtualRobot:
     """Simulated robot that receives LowCmds and sends LowStates through a port.
 
-    It uses simulated time only; each cycle() advances it by one period. Until the first valid
-    command, the motors hold the standing pose in position mode; the motors of a lying robot damp.
+    The robot has only simulated time; each call of cycle() simulates one period. Before the first
+    valid command, the motors of a standing robot hold the standing pose in position mode. The
+    motors of a lying robot damp.
 
     Args:
         settings: Settings of the robot and its link.
         port: Port that receives and sends datagrams.
-        on_message: Called with a line about each event; None: no messages.
+        on_message: Function that receives a line of text about each event; None: no messages.
 
     Raises:
-        Error: Unknown robot, missing file, or no generation of frames for this robot.
+        Error: The robot is unknown, a file is missing, or the robot has no generation of frames.
 
     Attributes:
         settings: The settings.
         plant: The simulated robot; read-only for callers.
-        link: Robot's end of the link, with its counts.
-        watchdog: Detects missing commands.
+        link: Robot's end of the link, with the counts of datagrams.
+        watchdog: Watchdog that detects missing commands.
         remote: The wireless remote.
         state: Latest LowState.
-        command: Latest valid command as the motors received it; None before the first.
-        power: Sum of |tauEst dq| in the latest LowState [W].
-        fell_at: Time of the fall [s], or None. For a robot that started lying: the time when its
-            tilt exceeded the fall threshold.
+        command: Latest valid command as the motors received it; None before the first command.
+        power: Sum of |tauEst dq| over the motors in the latest LowState [W].
+        fell_at: Time of the fall [s]; None: no fall. A robot that started lying falls when its tilt
+            exceeds the fall threshold.
     """
 
     def __init__(
@@ -148,13 +151,13 @@ class VirtualRobot:
             self._on_message(f"{self.time:.3f} s: the robot fell")
 
     def _has_fallen(self) -> bool:
-        if self.settings.lying:  # its body touches the ground while it rises and sits down
+        if self.settings.lying:  # the body touches the ground when the robot rises and sits down
             return math.cos(self.tilt) < FALLEN_TILT_COS
         return has_fallen(self.plant.data, self.plant.handles)
 
 
 def _battery_extras() -> FrameExtras:
-    """Return the battery readings of a B1 that LowState has no fields for."""
+    """Return readings of the B1's battery for which LowState has no fields: chosen constants."""
     extras = FrameExtras()
     extras.BQ_NTC[:], extras.MCU_NTC[:] = 30, 32
     extras.cell_vol[:4] = 3850

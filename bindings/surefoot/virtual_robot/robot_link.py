@@ -1,4 +1,4 @@
-"""Robot's end of the link: receives and sends frames, and chooses the peer."""
+"""Robot's end of the link: receives and sends frames, and selects the peer."""
 
 from __future__ import annotations
 
@@ -13,33 +13,35 @@ from surefoot.virtual_robot.channel import Channel
 from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import Address, DatagramPort
 
-MAX_DATAGRAMS_PER_CYCLE = (
-    32  # limit of datagrams read, so that a flood does not stall the simulation
-)
-_MIN_PEER_HOLD_TIME = 0.1  # [s] after a valid command, in which only its sender is answered
-_RNG_STREAM = 10  # first of two random streams; the plant has 0 .. 3
+# Largest number of datagrams read per cycle, so that a flood does not stall the simulation. Chosen:
+# more than the burst of a controller after a stall; few enough to read in a cycle of 1 ms.
+MAX_DATAGRAMS_PER_CYCLE = 32
+# [s] Shortest time after a valid command in which only its sender can be the peer. Equal to the
+# default timeout after which the motors damp.
+_MIN_PEER_HOLD_TIME = 0.1
+_RNG_STREAM = 10  # number of the first of two random streams; the plant uses 0 .. 3
 
 
 class RobotLink:
     """Link that decodes commands, counts rejected datagrams, and sends samples to one peer.
 
-    The peer is the sender of the last valid command. If no valid command arrived for the hold time
-    (the larger of settings.timeout and 0.1 s), the peer is the sender of the last datagram that has
-    the length of any generation's LowCmd or is blank. So a program can find out the generation of
-    this robot.
+    The peer is the sender of the last valid command. The hold time is the larger one of
+    settings.timeout and 0.1 s. If no valid command arrived for longer than the hold time, the peer
+    is the sender of the last query. A query is a datagram that is blank or has the length of any
+    generation's LowCmd. With queries, a program can find out the generation of this robot.
 
     Args:
         port: Port that receives and sends datagrams.
-        settings: Generation, loss, delay and seed.
+        settings: Settings of the robot and its link.
 
     Attributes:
-        peer: Address that samples are sent to; None before the first peer.
+        peer: Address to which samples are sent; None before the first command or query.
         received: Number of datagrams that arrived.
-        commands: Number of valid commands among them.
-        overtaken: Number of commands replaced by a newer one in the same cycle; the motors did not
-            receive them.
-        repeated: Number of commands equal to the one before in every byte. If the robot should
-            move, many of them mean that the sender repeats a command without computing a new one.
+        commands: Number of datagrams with a valid command.
+        overtaken: Number of commands that were replaced by a newer command in the same cycle; the
+            motors did not receive them.
+        repeated: Number of commands that equal the command before in every byte. If the robot
+            should move, a large number means that the sender computes no new commands.
         rejected: Number of rejected datagrams, by reason.
         sent: Number of datagrams sent, including those that the channel loses.
         unsent: Number of datagrams that could not be sent.
@@ -66,7 +68,10 @@ class RobotLink:
         return self._incoming.lost, self._outgoing.lost
 
     def receive(self, time: float) -> ReceivedLowCmd | None:
-        """Return the newest valid command that arrived by a time [s], or None."""
+        """Read datagrams, and return the newest valid command that arrived by a time [s], or None.
+
+        None: no valid command arrived since the last call.
+        """
         for datagram in self._port.receive(MAX_DATAGRAMS_PER_CYCLE):
             self._incoming.put(datagram, time)
         newest = None
@@ -90,7 +95,7 @@ class RobotLink:
             self.unsent += not self._port.send(*datagram)
 
     def _is_query(self, data: bytes) -> bool:
-        """Return whether a datagram may come from a program that looks for the generation."""
+        """Return True if an invalid datagram is a query; see the class."""
         return len(data) in self._lengths or is_blank(data)
 
     def _decode(self, data: bytes) -> ReceivedLowCmd | None:
@@ -107,22 +112,22 @@ class RobotLink:
 
 
 def is_blank(data: bytes) -> bool:
-    """Return whether a datagram is all zero: the SDK sends such ones before the first command."""
+    """Return True if all bytes of a datagram are 0; the SDK sends this before the first command."""
     return 0 < len(data) == data.count(0)
 
 
 def rejection_reason(data: bytes, generation: str) -> str:
-    """Return in two words why a datagram is not a LowCmd of a generation.
+    """Return one of a few short reasons why a datagram is not a LowCmd of a generation.
 
-    The reasons can be counted; protocol.decode_low_cmd() raises a full message. LowCmd frames of
-    go1-v3.8 and b1-v3.8 have the same length and cannot be distinguished.
+    The link counts the datagrams of each reason. The error of protocol.decode_low_cmd() has a full
+    message. LowCmd frames of go1-v3.8 and b1-v3.8 have the same length and cannot be distinguished.
     """
     if is_blank(data):
         return "blank"
     if len(data) != protocol.frame_sizes(generation)[0]:
         lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
         return "wrong generation" if len(data) in lengths else "wrong length"
-    if generation.endswith("-v3.8"):  # frames of other generations have no such header
+    if generation.endswith("-v3.8"):  # only frames of v3.8 have this header
         if data[:2] != b"\xfe\xef":
             return "wrong head"
         if data[2] != 0xFF:

@@ -21,8 +21,10 @@ from surefoot.virtual_robot.status_line import StatusLine
 from surefoot.virtual_robot.udp_port import UdpPort
 from surefoot.virtual_robot.viewer import Viewer, check_display
 
-_STATUS_PERIOD = 1.0  # [s] of clock time between status lines
-_UI_PERIOD = 0.02  # [s] of simulated time between updates of keyboard and window
+_STATUS_PERIOD = 1.0  # [s] clock time between status lines. Chosen: a person can read them
+# [s] Simulated time between updates of keyboard and window. Chosen: 50 Hz looks smooth, and more
+# updates would slow down the simulation.
+_UI_PERIOD = 0.02
 
 
 @dataclass(frozen=True)
@@ -30,10 +32,10 @@ class RunOptions:
     """Address and duration of a run of a virtual robot.
 
     Attributes:
-        host: Address to listen on.
-        port: UDP port to listen on; 0 lets the system choose.
+        host: Address of this machine at which the robot receives datagrams.
+        port: UDP port at which the robot receives datagrams; 0: the system chooses a port.
         duration: Simulated time after which the run ends [s].
-        view: Show the robot in a window; closing the window ends the run.
+        view: True: show the robot in a window; the run ends when the window is closed.
     """
 
     host: str = "127.0.0.1"
@@ -48,25 +50,27 @@ class RunOptions:
 def run_robot(
     settings: VirtualRobotSettings, options: RunOptions, on_message: Callable[[str], None]
 ) -> dict[str, Any]:
-    """Run a virtual robot until its duration is over, SIGINT or SIGTERM.
+    """Run a virtual robot in real time, until its duration is over or SIGINT or SIGTERM arrives.
 
     Args:
         settings: Settings of the robot and its link.
         options: Address, duration and window.
-        on_message: Called with each line for the user: address, status once a second, and events.
+        on_message: Function that receives each line of text for the user: address, status once per
+            second, and events.
 
     Returns:
-        Record of the run, ready for JSON; see summarise().
+        Result of summarise() for the run.
 
     Raises:
-        Error: A setting is invalid, or there is no display.
-        OSError: The port is taken or not permitted.
+        Error: A setting is invalid, or a window was requested and there is no display.
+        OSError: The port is in use or not permitted.
     """
-    generation = settings.generation  # raises before any slow step
+    generation = settings.generation  # raises Error before any slow step
     if options.view:
         check_display()
     with ExitStack() as stack:
-        # Open the port first: it fails most often, and building the robot takes a second.
+        # Open the port before building the robot: this step fails most often, and building takes a
+        # second.
         port = UdpPort(options.host, options.port)
         stack.callback(port.close)
         robot = VirtualRobot(settings, port, on_message)
@@ -87,7 +91,7 @@ def run_robot(
 
 
 class _RunLoop:
-    """Loop of cycles in real time, with messages, keyboard and window."""
+    """Loop that runs cycles in real time, and updates messages, keyboard and window."""
 
     def __init__(self, robot: VirtualRobot, keyboard: Keyboard, viewer: Viewer | None) -> None:
         self._robot, self._keyboard, self._viewer = robot, keyboard, viewer
@@ -128,7 +132,7 @@ class _RunLoop:
 
 
 class _StopSignals:
-    """Context manager in which SIGINT and SIGTERM set `requested` instead of ending the process."""
+    """Context manager that sets `requested` when SIGINT or SIGTERM arrives; the process goes on."""
 
     def __init__(self) -> None:
         self.requested = False

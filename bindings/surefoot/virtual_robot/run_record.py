@@ -1,4 +1,4 @@
-"""Log and summary of a run of a virtual robot, for JSON."""
+"""Log and summary of a run of a virtual robot, as JSON values."""
 
 from __future__ import annotations
 
@@ -13,19 +13,21 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sim.hardware.wire_format import MotorCommands
 from surefoot.virtual_robot.robot import VirtualRobot
 
-MAX_LOG_TIME = 600.0  # [s]; longer runs keep the last part
-_DIGITS = 6
+# [s] Longest log; the log of a longer run contains only its end. Chosen: bounds the memory. Equal
+# to the largest --log-time of `surefoot run`.
+MAX_LOG_TIME = 600.0
+_DIGITS = 6  # number of decimals of the values in the log
 _COMMAND_FIELDS = ("mode", "q", "dq", "tau", "kp", "kd")
 
 
 class RunRecorder:
-    """Log of a virtual robot, and its greatest power.
+    """Recorder of the log of a virtual robot, and of its largest power.
 
     Args:
-        robot: The robot; it is not changed.
+        robot: The robot; the recorder only reads it.
 
     Attributes:
-        peak_power: Greatest sum of |tauEst dq| in any LowState [W].
+        peak_power: Largest sum of |tauEst dq| over the motors in any LowState [W].
     """
 
     def __init__(self, robot: VirtualRobot) -> None:
@@ -34,7 +36,8 @@ class RunRecorder:
         rate = settings.log_rate
         self._log_interval = max(1, round(settings.rate / rate)) if rate > 0.0 else 0
         self._rate = settings.rate / self._log_interval if self._log_interval else 0.0
-        # Row: q, dq, tau of 12 motors, time, height, tilt. Commands are not copied.
+        # Each row has q, dq, tau of 12 motors, then time, height and tilt. The command beside a row
+        # is a reference, not a copy.
         self._rows: deque[tuple[Array, MotorCommands | None, bool]] = deque(
             maxlen=max(1, round(MAX_LOG_TIME * self._rate))
         )
@@ -42,7 +45,7 @@ class RunRecorder:
         self.peak_power = 0.0
 
     def observe(self) -> None:
-        """Record the robot after a cycle."""
+        """Record the state of the robot; call after every cycle."""
         robot = self._robot
         self.peak_power = max(self.peak_power, robot.power)
         self._cycles += 1
@@ -56,7 +59,10 @@ class RunRecorder:
         self._rows.append((row, robot.command, robot.watchdog.damping))
 
     def log(self) -> dict[str, Any]:
-        """Return the log as lists with one entry per row; null before the first command."""
+        """Return the log as lists by name, with one entry per row.
+
+        Entries of command_* are None before the first command.
+        """
         table = np.array([row for row, _, _ in self._rows]).reshape(-1, 3 * MOTOR_COUNT + 3)
         log: dict[str, Any] = {
             "rate": self._rate,
@@ -81,13 +87,13 @@ class RunRecorder:
 def summarise(
     robot: VirtualRobot, recorder: RunRecorder, real_time_factor: float, slipped: float
 ) -> dict[str, Any]:
-    """Return settings, counts, damping intervals, fall, power and log of a run, for JSON.
+    """Return settings, counts, damping intervals, fall, power and log of a run as JSON values.
 
     Args:
-        robot: The robot.
+        robot: The robot after the run.
         recorder: Recorder of the run.
-        real_time_factor: Ratio of simulated to clock time.
-        slipped: Time by which simulated time fell behind the clock [s].
+        real_time_factor: Ratio of simulated time to clock time.
+        slipped: Sum of the delays that the run did not catch up [s].
     """
     settings, link = robot.settings, robot.link
     intervals = robot.watchdog.intervals
@@ -119,7 +125,7 @@ def summarise(
 
 
 def _json_numbers(values: Array) -> Any:
-    # JSON has no NaN or infinity: write null.
+    # JSON has no NaN and no infinity, so both become None (null).
     rounded = np.round(values, _DIGITS).astype(object)
     rounded[~np.isfinite(values)] = None
     return rounded.tolist()

@@ -1,4 +1,4 @@
-"""Settings of a virtual robot, checked on construction."""
+"""Settings of a virtual robot; the constructor checks them."""
 
 from __future__ import annotations
 
@@ -16,17 +16,21 @@ from surefoot.virtual_robot.remote import RemoteEvent
 
 @dataclass(frozen=True)
 class VirtualRobotSettings:
-    """Settings of the robot, its link and its inputs. Times are simulated time since the start [s].
+    """Settings of a virtual robot, its link and its inputs. All times are simulated times.
+
+    If neither `hung` nor `lying` is True, the robot starts in its standing pose.
 
     Attributes:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
-        sdk: Generation of the frames, one of protocol.GENERATIONS; None: that of the robot.
+        sdk: Generation of the frames, one of protocol.GENERATIONS; None: the generation of the
+            robot.
         rate: LowStates per second [Hz]; the period must be a whole number of milliseconds.
-        hung: Start with the base fixed in the air and the legs free.
-        lying: Start lying in a random leg pose, motors damping. Without hung and lying: standing.
-        drop: Share of lost datagrams, each way [%].
-        delay: Delay of every datagram, each way [s].
-        jitter: Additional random delay each way, uniform in [0, jitter] [s]; order is kept.
+        hung: True: the base is fixed in the air, and the legs are free.
+        lying: True: the robot starts lying in a random leg pose with damping motors.
+        drop: Share of lost datagrams in each direction [%].
+        delay: Delay of every datagram in each direction [s].
+        jitter: Upper limit of an additional random delay in each direction [s]; uniform from 0.
+            The order of the datagrams does not change.
         timeout: Time without a valid command after which the motors damp [s]; 0: never.
         shakes: External sine torques on joints.
         remote: Events of the wireless remote, in order of time.
@@ -42,6 +46,7 @@ class VirtualRobotSettings:
     drop: float = 0.0
     delay: float = 0.0
     jitter: float = 0.0
+    # Equal to kRobotWatchdogTime: the assumed timeout in the firmware of real robots.
     timeout: float = 0.1
     shakes: tuple[Shake, ...] = ()
     remote: tuple[RemoteEvent, ...] = ()
@@ -60,16 +65,20 @@ class VirtualRobotSettings:
         check_number("jitter", self.jitter, 0.0, 10.0)
         check_number("timeout", self.timeout, 0.0, 1e6)
         check_number("log_rate", self.log_rate, 0.0, self.rate)
-        self.plant_settings(has_force_estimate=False)  # PlantSettings checks the others
+        self.plant_settings(has_force_estimate=False)  # PlantSettings checks the seed
 
     @property
     def pose(self) -> str:
-        """Initial pose of the robot in words."""
+        """Initial pose of the robot as text."""
         return "hung up" if self.hung else "lying" if self.lying else "standing"
 
     @property
     def generation(self) -> str:
-        """Generation of the frames; raises Error if `sdk` is None and the robot has none."""
+        """Generation of the frames, one of protocol.GENERATIONS.
+
+        Raises:
+            Error: `sdk` is None, and the robot has no generation of frames.
+        """
         if self.sdk is not None:
             return self.sdk
         name = self.robot if isinstance(self.robot, str) else str(self.robot.table["robot"]["name"])
@@ -79,7 +88,11 @@ class VirtualRobotSettings:
             raise Error(f"sdk: {problem}") from None
 
     def plant_settings(self, has_force_estimate: bool) -> PlantSettings:
-        """Return the settings of the plant; `has_force_estimate`: footForceEst is in newtons."""
+        """Return the settings of the plant.
+
+        Args:
+            has_force_estimate: True: the robot reports foot forces in N as footForceEst.
+        """
         return PlantSettings(
             foot_force="est" if has_force_estimate else "raw",
             control_rate=self.rate,

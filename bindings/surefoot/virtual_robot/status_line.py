@@ -1,4 +1,4 @@
-"""Status line of a virtual robot."""
+"""Line of text about the status of a virtual robot."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from surefoot.virtual_robot.robot_link import RobotLink
 
 
 class StatusLine:
-    """Status of a robot, with rates since the last line.
+    """Source of status lines; each line has rates and the peak power since the line before.
 
     Args:
-        robot: The robot; it is not changed.
+        robot: The robot; the status line only reads it.
     """
 
     def __init__(self, robot: VirtualRobot) -> None:
@@ -24,11 +24,15 @@ class StatusLine:
         self._peak = 0.0
 
     def observe(self) -> None:
-        """Update the peak power after a cycle."""
+        """Update the peak power; call after every cycle."""
         self._peak = max(self._peak, self._robot.power)
 
     def line(self, elapsed: float) -> str:
-        """Return the status line; `elapsed`: clock time since the start of the run [s]."""
+        """Return the next status line.
+
+        Args:
+            elapsed: Clock time since the start of the run [s].
+        """
         robot, link = self._robot, self._robot.link
         values = (elapsed, robot.time, link.sent, link.commands)
         seconds, simulated, sent, commands = (
@@ -52,7 +56,7 @@ class StatusLine:
 
 
 def commands_text(link: RobotLink) -> str:
-    """Return the number of valid commands, and of those repeated, overtaken and lost."""
+    """Return the counts of valid, repeated and overtaken commands and of lost datagrams as text."""
     lost_in, lost_out = link.lost
     parts = [f"{link.commands} in all"]
     parts += [f"{link.repeated} repeated"] if link.repeated else []
@@ -62,7 +66,7 @@ def commands_text(link: RobotLink) -> str:
 
 
 def rejected_text(rejected: dict[str, int]) -> str:
-    """Return the number of rejected datagrams and their reasons, most frequent first."""
+    """Return the number of rejected datagrams and of each reason as text, most frequent first."""
     if not rejected:
         return "0"
     reasons = sorted(rejected.items(), key=lambda item: -item[1])
@@ -71,7 +75,7 @@ def rejected_text(rejected: dict[str, int]) -> str:
 
 
 def mode_text(robot: VirtualRobot) -> str:
-    """Return the mode of the motors in words."""
+    """Return the mode of the motors as text."""
     if not robot.watchdog.received_any:
         return f"motors {'damp' if robot.settings.lying else 'hold'}, no command yet"
     times = len(robot.watchdog.intervals)

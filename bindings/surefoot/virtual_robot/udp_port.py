@@ -11,12 +11,16 @@ from surefoot._core import Error
 Address = tuple[str, int]
 Datagram = tuple[bytes, Address]
 
-_MAX_DATAGRAM_SIZE = 2048  # [bytes]; the longest frame has 839
-_RECEIVE_BUFFER_SIZE = 65536  # [bytes] in the kernel; small, so that a flood queues few datagrams
+# [bytes] Size of the buffer for one datagram. Chosen: longer than the longest frame (839 bytes), so
+# that the link detects a datagram of a wrong length.
+_MAX_DATAGRAM_SIZE = 2048
+# [bytes] Size of the receive buffer in the kernel. Chosen: about 78 frames of 839 bytes; small, so
+# that a flood queues few datagrams.
+_RECEIVE_BUFFER_SIZE = 65536
 
 
 class DatagramPort(Protocol):
-    """Interface of a datagram socket, which tests can replace."""
+    """Interface of a datagram socket; tests can replace the socket by another implementation."""
 
     def receive(self, limit: int) -> list[Datagram]:
         """Return at most `limit` datagrams that have arrived, oldest first, without blocking."""
@@ -32,14 +36,14 @@ class UdpPort:
 
     Args:
         host: Address to bind; "" or "0.0.0.0" for all addresses.
-        port: Port, 0 .. 65535; 0 lets the system choose.
+        port: Port to bind, 0 .. 65535; 0: the system chooses a port.
 
     Raises:
         Error: The port is out of range, or the host is not an address of this machine.
         OSError: The port is in use or not permitted.
 
     Attributes:
-        address: Host and port that are bound.
+        address: Host and port to which the socket is bound.
     """
 
     def __init__(self, host: str, port: int) -> None:
@@ -79,7 +83,7 @@ class UdpPort:
                 datagrams.append(self._socket.recvfrom(_MAX_DATAGRAM_SIZE))
             except BlockingIOError:
                 break
-            except OSError:  # the system reports an error of an earlier sent datagram here
+            except OSError:  # the system reports an error of a datagram that was sent before
                 break
         return datagrams
 
@@ -87,10 +91,10 @@ class UdpPort:
         """Send a datagram without blocking; return False if it could not be sent."""
         try:
             self._socket.sendto(data, address)
-        except OSError:  # full buffer, network down, or port 0 of the peer
+        except OSError:  # the buffer is full, the network is down, or the port of the peer is 0
             return False
         return True
 
     def close(self) -> None:
-        """Free the port."""
+        """Close the socket."""
         self._socket.close()

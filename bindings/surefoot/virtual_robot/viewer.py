@@ -15,10 +15,13 @@ from surefoot.sim.model.mujoco_model import build_model
 
 
 class Viewer:
-    """Window that shows a plant, in its own thread.
+    """Window that shows a plant; the window has its own thread.
 
-    The window has its own model, with visual meshes, and its own state, so that it neither slows
-    down nor changes the simulation.
+    The window also has its own model, with visual meshes, and its own state. So the window does not
+    slow down or change the simulation.
+
+    Args:
+        plant: Plant to show.
 
     Raises:
         Error: There is no display, or the window cannot be opened.
@@ -36,7 +39,7 @@ class Viewer:
 
     @property
     def open(self) -> bool:
-        """True until the window is closed."""
+        """True while the window is open."""
         return bool(self._window.is_running())
 
     def show(self) -> None:
@@ -53,7 +56,7 @@ class Viewer:
 
 
 def check_display() -> None:
-    """Raise Error if there is no display; call before any slow step."""
+    """Raise Error if there is no display; call this function before any slow step."""
     if sys.platform != "linux":
         return
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
@@ -66,7 +69,7 @@ def _launcher() -> Any:
         import glfw
         from mujoco import viewer
 
-        # Initialise GLFW here: if it fails in MuJoCo, MuJoCo ends the process.
+        # Initialise GLFW here, because MuJoCo ends the process if its own initialisation fails.
         with warnings.catch_warnings(action="ignore"):
             if not glfw.init():
                 raise Error(

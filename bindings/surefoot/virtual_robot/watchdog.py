@@ -1,17 +1,19 @@
-"""Watchdog of the commands of a virtual robot."""
+"""Watchdog that detects missing commands to a virtual robot."""
 
 from __future__ import annotations
 
 
 class Watchdog:
-    """Detector of missing commands, and of their return.
+    """Detector of missing commands.
+
+    Before the first command, no commands are missing.
 
     Args:
         timeout: Time without a valid command after which commands are missing [s]; 0: never.
 
     Attributes:
-        received_any: True after the first command; before it, no commands are missing.
-        intervals: Begin and end of each interval with missing commands [s]; the end is None while
+        received_any: True after the first command.
+        intervals: Start and end of each interval with missing commands [s]; the end is None while
             the interval lasts.
     """
 
@@ -27,7 +29,7 @@ class Watchdog:
         return bool(self.intervals) and self.intervals[-1][1] is None
 
     def feed(self, time: float) -> bool:
-        """Register a valid command at a time [s]; return whether commands were missing before."""
+        """Register a valid command at a time [s]; return True if commands were missing before."""
         was_damping = self.damping
         if was_damping:
             self.intervals[-1] = (self.intervals[-1][0], time)
@@ -35,10 +37,10 @@ class Watchdog:
         return was_damping
 
     def expires(self, time: float) -> bool:
-        """Return True if commands begin to be missing at this time [s]."""
+        """Begin an interval if the timeout is over at a time [s]; return True if it begins now."""
         if not self.received_any or self.damping or self._timeout <= 0.0:
             return False
-        # Times are sums of periods: without a tolerance, rounding would add a cycle.
+        # Times are sums of periods. Without a tolerance, rounding errors could add a cycle.
         if time - self._last_command_time < self._timeout - 1e-9:
             return False
         self.intervals.append((time, None))

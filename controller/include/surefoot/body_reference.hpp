@@ -25,12 +25,12 @@ enum class ReachLimit {
   kSupport,      ///< the centre of mass would come closer than reach_support_margin to an edge
   kFootHeight,   ///< a foot would be less than reach_foot_depth below its hip axis
   kUnreachable,  ///< a leg is too short
-  kNotFinite     ///< the target has a NaN or an infinity: the target before it stays in force
+  kNotFinite     ///< the target has a NaN or an infinity: the previous target stays in force
 };
 /// Return the name of a limit, such as "foot_height". Real-time: yes.
 const char* to_string(ReachLimit limit) noexcept;
 
-/// Limit that is in the way, and the motor that it belongs to.
+/// Limit that stops the reference, and the motor to which the limit belongs.
 struct ReachStatus {
   ReachLimit limit = ReachLimit::kNone;
   int motor = -1;  ///< SDK number: kJoint the joint, kFootHeight the hip of the leg; else -1

@@ -11,9 +11,9 @@ namespace surefoot {
 /// What the estimator concludes about a sensor.
 enum class SensorVerdict : int {
   kGood = 0,    ///< used
-  kUnjudged,    ///< not enough has happened yet to judge it
+  kUnjudged,    ///< not judged yet: the samples so far do not suffice
   kZero,        ///< reads exactly zero
-  kConstant,    ///< does not change although the robot moves
+  kConstant,    ///< constant while other fields of the samples change
   kSaturated,   ///< at the end of its range
   kDisagrees,   ///< contradicts the other sensors
   kImplausible  ///< beyond what it can measure
@@ -41,7 +41,8 @@ struct EstimatorReport {
   SensorVerdict quaternion = SensorVerdict::kUnjudged;
   /// Verdicts on the contact sources, [ContactSource][leg].
   std::array<std::array<SensorVerdict, kLegs>, kContactSources> contact_sources{};
-  /// Evidence of each source alone, shape (source, leg): 0 off the ground, 1 loaded, 0.5 none.
+  /// Evidence of each source alone, shape (source, leg). 0: off the ground; 1: loaded; 0.5: no
+  /// evidence, or balanced.
   Eigen::Matrix<double, kContactSources, kLegs> contact_by_source =
       Eigen::Matrix<double, kContactSources, kLegs>::Constant(0.5);
   /// Force of the ground on each foot by the joint torques, world axes [N]: a generalised-momentum
@@ -62,7 +63,7 @@ struct EstimatorReport {
   std::array<bool, kLegs> rejected_feet{};  ///< feet that the innovation gate rejected
 
   /// Sustained external wrench: force [N] and moment about the centre of mass [N.m], world axes.
-  Vector3 force_external = Vector3::Zero();
+  Vector3 f_sustained = Vector3::Zero();
   Vector3 moment_external = Vector3::Zero();
   double payload = 0.0;                 ///< [kg] mass beyond the model; may be negative
   Vector3 com_shift = Vector3::Zero();  ///< [m] centre of mass, loaded minus model, base axes

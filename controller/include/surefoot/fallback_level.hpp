@@ -3,16 +3,16 @@
 
 namespace surefoot {
 
-/// Where a command comes from, the best first. A tick tries the levels in this order, the fallback
-/// chain, until one gives a command.
+/// Source of a command, the best first. A tick tries the levels in this order, the fallback chain,
+/// until one level gives a command.
 enum class FallbackLevel : int {
   kSolved = 0,  ///< the whole-body QP, started from the active set of the last tick
-  kColdSolve,   ///< the same QP once more, by a cold start and to a relaxed tolerance
+  kColdSolve,   ///< the same QP again, from a cold start, with ten times the tolerance
   kForces,      ///< no QP: the forces of the last solution, plus the change of the desired wrench
                 ///< since then, shared among the feet
   kLastForces,  ///< the forces of the last solution, through the present Jacobians
-  kGravity,     ///< forces that carry the weight, shared among the feet, and joint damping
-  kHold,        ///< the last command once more: the present sample is unusable
+  kGravity,     ///< forces on the feet that carry the weight, and motor-side damping
+  kHold,        ///< the last command again: no other level gave a command
   kDamping      ///< the motors brake by themselves
 };
 constexpr int kFallbackLevels = static_cast<int>(FallbackLevel::kDamping) + 1;

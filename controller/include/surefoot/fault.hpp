@@ -40,7 +40,7 @@ enum class FaultId : int {
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped
   kTorqueRate,        ///< the torque rate limiter held back the StandController's torques
-  kProgram,           ///< the first solve of a tick failed: stand_controller().fallback_level()
+  kProgram,           ///< the first solve of a tick failed: StandController::fallback_level()
   kController,        ///< the StandController damps: see stand_controller().fault()
   kHanging,           ///< after the rise the legs carry too little of the weight
   kBattery,           ///< the charge is below SupervisorOptions::battery_low

@@ -55,7 +55,7 @@ enum class FrameStatus {
   kWrongLevel,       ///< refused: levelFlag is not LOWLEVEL
   kWrongCrc          ///< refused: the CRC does not match
 };
-/// Return whether encoding gave a frame, or decoding a struct. Real-time: yes.
+/// Return whether the encoding gave a frame, or the decoding gave a struct. Real-time: yes.
 constexpr bool is_usable(FrameStatus status) noexcept {
   return status == FrameStatus::kOk || status == FrameStatus::kSaturated;
 }
@@ -65,11 +65,11 @@ const char* to_string(FrameStatus status) noexcept;
 /// Result of encoding or decoding a frame, and the first problem found.
 struct FrameReport {
   FrameStatus status = FrameStatus::kOk;
-  const char* field = "";  ///< first field that was not finite, else out of range
+  const char* field = "";  ///< first field that is not finite, else first field out of range
   int motor = -1;          ///< SDK number of the motor that the field belongs to, or -1
   std::size_t size = 0;    ///< [bytes] length of the frame
   Generation expected = Generation::kGo1v38;
-  Generation detected = Generation::kGo1v38;  ///< differs if kWrongGeneration
+  Generation detected = Generation::kGo1v38;  ///< by the length of the frame; see kWrongGeneration
 };
 /// Describe the result in a sentence. Real-time: no.
 std::string to_text(const FrameReport& report);
@@ -89,10 +89,10 @@ std::size_t low_state_size(Generation generation) noexcept;
 
 /// Encode a command as a frame on the wire, CRC included. Real-time: yes.
 ///
-/// tau is truncated to multiples of 1/256 N.m (b1-v3.8: 1/128), Kp of 1/32, Kd of 1/16. Where the
-/// vendor's code wraps around (128 N.m becomes -128 N.m), values saturate and the result is
-/// kSaturated. If a number is not finite, the frame is refused and `out` keeps its old value. The
-/// crc in `cmd` is ignored.
+/// tau is truncated to multiples of 1/256 N.m (b1-v3.8: 1/128), Kp to multiples of 1/32, Kd to
+/// multiples of 1/16. Where the vendor's code wraps around (128 N.m becomes -128 N.m), values
+/// saturate and the result is kSaturated. If a number is not finite, the frame is refused and `out`
+/// keeps its old value. The crc in `cmd` is ignored.
 FrameReport encode_low_cmd(const LowCmd& cmd, const FrameExtras& extras, Generation generation,
                            Frame& out) noexcept;
 /// Encode a LowState as a frame. Real-time: yes. tauEst is truncated as tau is, ddq to whole
@@ -103,8 +103,8 @@ FrameReport encode_low_state(const LowState& state, const FrameExtras& extras,
 /// Decode a frame; `cmd` and `extras` change only if the whole frame is valid. Real-time: yes.
 FrameReport decode_low_cmd(const std::uint8_t* data, std::size_t size, Generation generation,
                            LowCmd& cmd, FrameExtras& extras) noexcept;
-/// Decode a LowState, footForceEst included, which the vendor's A1 client ignores. `state` and
-/// `extras` change only if the whole frame is valid. Real-time: yes.
+/// Decode a LowState. footForceEst is decoded too, although the vendor's A1 client ignores it.
+/// `state` and `extras` change only if the whole frame is valid. Real-time: yes.
 FrameReport decode_low_state(const std::uint8_t* data, std::size_t size, Generation generation,
                              LowState& state, FrameExtras& extras) noexcept;
 

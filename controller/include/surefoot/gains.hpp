@@ -5,12 +5,12 @@
 
 namespace surefoot {
 
-/// All parameters that shape how the robot stands. Constants in the source are only bounds on
-/// sensors and solver, and the time constants by which the estimator judges its sensors.
+/// Parameters of standing that are tuned per robot. Constants in the source are the same for all
+/// robots; each says where its value comes from.
 ///
 /// gain_table() has unit, range and meaning of every gain; the values here are the library's
-/// defaults, RobotConfig::gains those of a robot. Stiffness and damping are per unit of inertia, so
-/// they carry over between robots.
+/// defaults, and RobotConfig::gains has the values of a robot. Stiffness and damping are per unit
+/// of inertia, so their values are similar on all robots.
 struct Gains {
   // Body: feedback on the centre of mass and on the base orientation.
   double com_kp_horizontal = 60.0;

@@ -7,7 +7,7 @@
 
 /// The low-level interface of unitree_legged_sdk v3.5 - v3.8 (Go1), byte for byte.
 ///
-/// Field names, order and packing are those of the SDK, so the bytes of a vendor `LowState` can be
+/// Field names, order and packing equal the SDK's, so the bytes of a vendor `LowState` can be
 /// copied into this one. All joint quantities are joint-side: the SDK has removed the gear ratio,
 /// and the signs are those of the URDF joints. Arrays of feet and legs run FR, FL, RR, RL; motor
 /// number = 3 * leg + {0 hip, 1 thigh, 2 calf}. Slots 12 .. 19 exist on the wire and drive no
@@ -106,7 +106,7 @@ struct BmsState {
   std::array<std::uint16_t, 10> cell_vol;  ///< [mV]
 };
 
-/// Sample that the robot sends in every tick.
+/// Sample that the robot sends in every period.
 struct LowState {
   std::array<std::uint8_t, 2> head;  ///< FE EF
   std::uint8_t levelFlag;
@@ -125,7 +125,8 @@ struct LowState {
   std::uint32_t crc;
 };
 
-/// Command to the robot, one in every tick.
+/// Command to the robot, one in every period. encode_low_cmd() writes head and crc into the frame,
+/// and for the generations with a header also levelFlag.
 struct LowCmd {
   std::array<std::uint8_t, 2> head;  ///< FE EF
   std::uint8_t levelFlag;

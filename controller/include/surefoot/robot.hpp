@@ -10,7 +10,8 @@
 
 namespace surefoot {
 
-/// Model and configuration of a robot, immutable. Cheap to copy, safe to share between threads.
+/// Model and configuration of a robot, immutable. A Robot is cheap to copy and safe to share
+/// between threads.
 ///
 /// q and v follow Pinocchio: q = [p_world_base, quaternion x y z w, joints], v = [linear and
 /// angular velocity of the base in base axes, joint velocities]. Joints in q and v are in
@@ -23,12 +24,12 @@ class Robot {
   /// the model.
   Robot(const pinocchio::Model& model, const RobotConfig& config);
 
-  /// Build from text by pinocchio::Model::saveToString() of the same Pinocchio version. Throws
-  /// surefoot::Error.
+  /// Build from text that pinocchio::Model::saveToString() of the same Pinocchio version wrote.
+  /// Throws surefoot::Error.
   static Robot from_serialized_model(const std::string& text, const RobotConfig& config);
 
-  /// Read a .robot file by save(); needs no URDF parser and no meshes. Throws surefoot::Error if
-  /// the file cannot be read, is damaged, or has another version.
+  /// Read a .robot file that save() wrote. This needs no URDF parser and no meshes. Throws
+  /// surefoot::Error if the file cannot be read, is damaged, or has another version.
   static Robot load(const std::string& path);
   /// Write a .robot file: configuration, model and checksum. Throws surefoot::Error.
   void save(const std::string& path) const;

@@ -22,9 +22,9 @@ struct RobotConfig {
 
   Vector12 q_lower = Vector12::Zero();  ///< [rad] intersection of SDK and URDF limits
   Vector12 q_upper = Vector12::Zero();  ///< [rad] intersection of SDK and URDF limits
-  double hip_inward = 3.2;  ///< [rad] limit of hips that turn legs inward: motion_range()
-  Vector12 dq_max = Vector12::Zero();         ///< [rad/s] velocity limits
-  Vector12 tau_max = Vector12::Zero();        ///< [N.m] torque limits up to corner_speed
+  double hip_inward = 3.2;              ///< [rad] largest inward angle of a hip, see motion_range()
+  Vector12 dq_max = Vector12::Zero();   ///< [rad/s] velocity limits
+  Vector12 tau_max = Vector12::Zero();  ///< [N.m] torque limits up to corner_speed
   Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] where the torque limit starts to fall
   Vector12 no_load_speed = Vector12::Zero();  ///< [rad/s] where the torque limit reaches zero
   Vector12 armature = Vector12::Zero();       ///< [kg.m^2] rotor inertia times squared gear ratio
@@ -46,9 +46,9 @@ struct JointRange {
 /// Compute the range within which QP and body reference keep motor `i`: q_lower .. q_upper, and for
 /// a hip no further inward than hip_inward.
 ///
-/// Further inward the trunk rests on the thigh, a contact that the dynamics do not model. Arming
-/// checks and protections use q_lower and q_upper instead, because an external force may push a
-/// joint there. Real-time: yes.
+/// Beyond hip_inward the trunk rests on the thigh, and the dynamics do not model this contact.
+/// Arming checks and protections use q_lower and q_upper instead, because an external force may
+/// push a joint there. Real-time: yes.
 JointRange motion_range(const RobotConfig& config, int i) noexcept;
 
 /// Compute the largest torque [N.m] of motor `i` in the direction of `sign` at joint velocity `dq`

@@ -22,7 +22,7 @@ struct RunTick {
 };
 static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocates nor throws
 
-/// Ring buffer of the last ticks of a run, about 1.7 kB each, for the analysis afterwards. All
+/// Ring buffer of the last ticks of a run, for later analysis. A tick takes about 1.7 kB. All
 /// memory is allocated by the constructor.
 class RunLog {
  public:

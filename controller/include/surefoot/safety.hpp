@@ -9,10 +9,10 @@ namespace surefoot {
 /// safety.h.
 ///
 /// They run in software and guarantee nothing: a robot is safe only if its controller sends no
-/// abnormal torques. Beginners should use all three, with level 1. The position limits are those of
-/// the robot, RobotConfig::q_lower and q_upper: the intersection of SDK and URDF limits, joint by
-/// joint. They are nowhere wider than the vendor's, and narrower on go1 (hip 0.863 rad instead of
-/// 1.047 rad). Motors 12 .. 19 are ignored.
+/// abnormal torques. Beginners should use all three, with level 1. The position limits are
+/// RobotConfig::q_lower and q_upper: the intersection of SDK and URDF limits, joint by joint. No
+/// limit is wider than the vendor's; on go1 some are narrower (hip 0.863 rad instead of 1.047 rad).
+/// Motors 12 .. 19 are ignored.
 class Safety {
  public:
   static constexpr double kWattsPerLevel = 100.0;   ///< [W] the same on every robot
@@ -23,21 +23,22 @@ class Safety {
   /// Check the power of the motors: P = sum over motors of |tauEst dq|, against 100 W times level.
   ///
   /// Call it once per sample, after computing the command and before sending it, and do not send
-  /// the command if the result is -1. A counter increases by one (up to 10) with each call whose P
-  /// is above the limit, else decreases by one (down to 0); the protection trips above 5. So a
-  /// lasting overload trips on the 6th call, an overload in every other call never trips, and after
-  /// an overload at most 4 more calls return -1: the trip is not latched. P equal to the limit does
-  /// not count as above it. The rule is that of the vendor's library, with these differences:
+  /// the command if the result is -1. Each call whose P is above the limit increases a counter by
+  /// one (up to 10). Each other call decreases the counter by one (down to 0). The protection trips
+  /// above 5. So a lasting overload trips on the 6th call, an overload in every other call never
+  /// trips, and after an overload at most 4 more calls return -1: the trip is not latched. P equal
+  /// to the limit does not count as above it. The rule equals that of the vendor's library, with
+  /// these differences:
   ///  - The command stays unchanged, as in the SDK's document. The vendor's library writes mode
-  ///  0x00
-  ///    (brake) into motors 0 .. 11, and nothing there restores 0x0A.
-  ///  - A P that is not finite returns -1 in the same call and counts as above the limit. The
-  ///    vendor's library never trips on NaN.
+  ///    0x00 (brake) into motors 0 .. 11 and never restores 0x0A.
+  ///  - If P is not finite, the same call returns -1, and P counts as above the limit. The vendor's
+  ///    library never trips on NaN.
   ///  - Nothing is printed, and the process never ends.
-  /// A level means the same power on every robot. For pushes of the same share of its push limit,
+  /// A level means the same power on every robot. For pushes of the same share of the push limit, a
   /// b1 takes 4 to 12 times the power of a go1.
-  /// @param cmd not read, as in the vendor's library @param state tauEst [N.m] and dq [rad/s] of
-  /// motors 0 .. 11 @param level 1 .. 10, clamped; may change from call to call
+  /// @param cmd not read, as in the vendor's library
+  /// @param state tauEst [N.m] and dq [rad/s] of motors 0 .. 11 are read
+  /// @param level 1 .. 10, clamped; may change from call to call
   /// @return +1, or -1 if tripped. Real-time: yes.
   int power_protect(const LowCmd& cmd, const LowState& state, int level) noexcept;
 
@@ -45,10 +46,12 @@ class Safety {
   ///
   /// There is no debouncing and no latch: each call judges its own sample alone. NaN is outside.
   /// The command stays unchanged; the vendor's library writes mode 0x00 into it. A fully folded
-  /// calf at rest is outside. A NaN `limit`, or one as wide as the joint range, always trips, such
-  /// as the 10 [rad] in a comment of the vendor's examples. A negative `limit` widens the range.
-  /// @param cmd not read @param state q [rad] of motors 0 .. 11 @param limit [rad] distance kept
-  /// from both ends of the range
+  /// calf at rest is outside. A `limit` that is NaN or as wide as the joint range always trips. A
+  /// comment in the vendor's examples has such a value, 10 [rad]. A negative `limit` widens the
+  /// range.
+  /// @param cmd not read
+  /// @param state q [rad] of motors 0 .. 11 is read
+  /// @param limit [rad] distance to keep from both ends of the range
   /// @return +1, or -1 if a joint is outside, see position_motor(). Real-time: yes.
   int position_protect(const LowCmd& cmd, const LowState& state,
                        double limit = kPositionMargin) noexcept;

@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// Parts of a tick, in the order of the data flow.
+/// Parts of a tick. The time of a nested stage counts only for the nested stage.
 enum class Stage : std::size_t {
   kEstimate,   ///< check of the LowState, and state estimation without the dynamics
   kDynamics,   ///< kinematics, mass matrix, bias terms, foot Jacobians and drifts
@@ -15,8 +15,8 @@ enum class Stage : std::size_t {
   kCondense,   ///< accelerations and torques as functions of the contact forces
   kProgram,    ///< writing the QP, reading its solution
   kSolve,      ///< QP solver
-  kCheck,      ///< own check of the solver's residuals
-  kSafety,     ///< command: power limit, command hold, damping; and all the rest
+  kCheck,      ///< residual check of the solver's result
+  kSafety,     ///< power limit, command hold, and all else that no other stage covers
   kCount
 };
 constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kCount);

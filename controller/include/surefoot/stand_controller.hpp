@@ -18,27 +18,30 @@ namespace surefoot {
 /// Options of a StandController: fixed at construction, unlike gains.
 struct StandOptions {
   /// [N.m.s/rad] Motor-side damping in every command, with dq = 0; 0 .. 50. 0 is pure torque mode.
-  /// Hardware whose knees vibrate in pure torque mode may need some.
+  /// Hardware whose knees vibrate in pure torque mode may need a value above 0.
   double motor_damping = 0.0;
   /// [s] Time from a measurement to the action of the command computed from it, 0 .. 0.05;
-  /// identify_delay() in Python measures it. The state is predicted over this time with the
-  /// commands already sent. Prediction amplifies sensor noise, so leave it at 0 for delays of up to
-  /// a few ticks. In simulation no robot stood with more than 0.03. At 0 nothing is predicted, and
-  /// the estimator compares each sample with the command sent two periods earlier: one period of
-  /// delay for the command and one for the sample, as over the SDK's link.
+  /// identify_delay() in Python measures it. The controller predicts the state over this time from
+  /// the commands already sent. Prediction amplifies sensor noise, so leave the option at 0 if the
+  /// real delay is at most a few ticks. In simulation no robot stood with a delay above 0.03 s. At
+  /// 0 nothing is predicted, and the estimator compares the sample of tick k with the command of
+  /// tick k - 3, which acted while the sample was measured: over the SDK's link, commands and
+  /// samples each take one period.
   double delay = 0.0;
   QpForm form = QpForm::kAuto;  ///< form of the whole-body QP
-  /// [W] Largest power of a command, sum |tau dq| with the motors' damping included, at the joint
-  /// velocities it is computed for; > 0, infinite switches the limit off.
+  /// [W] Largest power of a command, sum |tau dq|, with the motors' damping included, at the joint
+  /// velocities for which the command is computed. > 0; infinite switches the limit off.
   ///
-  /// Above the limit, the torques are scaled towards those that hold the robot against gravity. If
-  /// these alone exceed the limit, the command is not scaled, because a robot that is released
-  /// falls and takes even more power. Last, the torques of runaway legs are limited: the power of a
-  /// leg may rise by at most a quarter of the limit within the next 15 ms, extrapolated from the
-  /// acceleration of its joints. With periods of 10 ms and more, runaway legs are not detected.
+  /// Above the limit, the torques are scaled towards the holding torques, which hold the robot
+  /// against gravity. If the holding torques alone exceed the limit, the command is not scaled,
+  /// because a robot that is released falls and takes even more power. Last, the torques of runaway
+  /// legs are limited: the power of a leg may rise by at most a quarter of the limit within the
+  /// next 15 ms, extrapolated from the acceleration of its joints. With periods of 10 ms and more,
+  /// runaway legs are not detected.
   ///
-  /// Set the limit below that of Safety::power_protect(), at 0.9 of it for example, but not far
-  /// below what the motions take: a robot that lacks power for long falls.
+  /// Set this limit below the limit of Safety::power_protect(), for example at 0.9 of that limit.
+  /// Do not set it far below the power that the motions take: a robot that lacks power for long
+  /// falls.
   double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error if an option is out of range; the message names it.
@@ -52,11 +55,12 @@ struct StandOptions {
 /// samples latch the pose of the body relative to the feet. Commands are in torque mode: motors
 /// 0 .. 11 have mode 0x0A, q = PosStopF, dq = VelStopF, Kp = Kd = 0 and the torques of the QP.
 ///
-/// If the solve fails, the tick goes down the fallback chain, see FallbackLevel. If the sample
-/// is unusable, the last command is repeated. Kd > 0 occurs only by StandOptions::motor_damping, in
-/// a lost leg, and at the levels kGravity and kDamping. At most 10 ms may pass without a solved
-/// command; then the motors damp (dq = 0, Kd > 0, tau = 0), latched until reset(). All times are
-/// measured by LowState::tick.
+/// If the solve fails, the tick tries the fallback levels in order, see FallbackLevel. If the
+/// sample is unusable or the robot has fallen, the last command is repeated. If the estimate
+/// diverges, or after a gap of more than 100 ms, the motors damp at once. Commands have Kd > 0 only
+/// with StandOptions::motor_damping, for a lost leg, and at the levels kGravity and kDamping. At
+/// most 10 ms may pass without a solved command; then the motors damp (dq = 0, Kd > 0, tau = 0),
+/// latched until reset(). All times are measured by LowState::tick.
 ///
 /// Assumes twelve joints on a free base, spherical feet, and one ground plane under all feet, whose
 /// normal is estimated. Not thread-safe.
@@ -72,15 +76,15 @@ class StandController {
   /// Compute one tick. Never throws, allocates, locks or logs. Real-time: yes, if the custom tasks
   /// are.
   /// @param low_state newest sample; its tick must advance
-  /// @return the command to send; status() and fallback_level() tell its quality
+  /// @return the command to send; status() and fallback_level() report its quality
   const LowCmd& update(const LowState& low_state) noexcept;
 
-  /// Set the target pose of the body. The reference moves there with limited speed and
+  /// Set the target pose of the body. The reference moves to the target with limited speed and
   /// acceleration, and stops at the limits of ReachLimit. A target with a NaN or an infinity is
   /// ignored, and reach() reports kNotFinite. Real-time: yes.
   void set_body_reference(const BodyReference& target) noexcept;
   BodyReference body_reference() const noexcept;  ///< present reference, on the way to the target
-  ReachStatus reach() const noexcept;             ///< limit that stops it before the target
+  ReachStatus reach() const noexcept;             ///< limit that stops the reference early
 
   /// Give up a leg, 0 .. 3, until reset(): its foot carries no load from now on, its motors damp,
   /// and the centre of mass moves over the other three feet. The call is ignored if a leg is
@@ -109,19 +113,22 @@ class StandController {
   /// Status of the last tick that was not usable; kept while damping is latched, kOk after reset().
   Status fault() const noexcept;
 
-  /// Estimated state. Its friction is the share that the QP may use: 0.7 at most while the capture
-  /// point is more than 6 cm inside the support edges, and less while a foot slips.
+  /// Estimated state. After a tick that reached the QP, state().friction is the share that the QP
+  /// could use: in general at most 0.7 while the capture point is more than 6 cm inside the support
+  /// edges, and less while a foot slips. After any other tick it contains only the reduction for
+  /// slipping feet.
   const RobotState& state() const noexcept;
   EstimatorReport estimator_report() const noexcept;            ///< see StateEstimator::report()
-  const Reference& reference() const noexcept;                  ///< of the last good tick
-  const Solution& solution() const noexcept;                    ///< of the last good tick
+  const Reference& reference() const noexcept;                  ///< of the last good estimate
+  const Solution& solution() const noexcept;                    ///< see Solution
   const QpProblem& qp() const noexcept;                         ///< see WholeBodyController::qp()
   bool has_foot_force_est() const noexcept;                     ///< see StateEstimator
   Eigen::Vector4d normal_forces_from_torques() const noexcept;  ///< [N] see StateEstimator
-  /// [W] Power sum |tau dq| of the last command that was computed from a sample, with
-  /// the motors' damping included, at the joint velocities it was computed for: reported, or
-  /// predicted over StandOptions::delay. It exceeds StandOptions::power_limit only if the torques
-  /// that hold the robot exceed it.
+  /// [W] Power sum |tau dq| of the last command that was computed from a sample, with the motors'
+  /// damping included. dq are the joint velocities for which the command was computed: measured, or
+  /// predicted over StandOptions::delay. A lost leg counts with the torques that it had before they
+  /// were set to zero. The power exceeds StandOptions::power_limit only if the torques that hold
+  /// the robot exceed that limit.
   double command_power() const noexcept;
   /// Scale s, 0 .. 1, by which StandOptions::power_limit reduced the torques of the last good tick:
   /// tau = tau_hold + s (tau_QP - tau_hold). Below 1, status() is kSaturated, and solution() still

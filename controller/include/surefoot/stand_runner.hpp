@@ -15,8 +15,8 @@ namespace surefoot {
 /// Options of a StandRunner.
 struct RunOptions {
   double rate = 500.0;  ///< [Hz] rate of the control loop, 100 .. 1000
-  double duration =
-      std::numeric_limits<double>::infinity();  ///< [s] from first standing to finish()
+  double duration = std::numeric_limits<double>::infinity();  ///< [s] from first standing until
+                                                              ///< finish() is called
   int power_level = 1;             ///< level of Safety::power_protect(), 1 .. 10; 0 switches it off
   bool remote = true;              ///< the sticks of the remote move the body, and button B damps
   double connect_timeout = 5.0;    ///< [s] longest wait for the first valid LowState
@@ -50,13 +50,13 @@ enum class RunReason {
   kWrongGeneration,  ///< the robot sends frames of another generation
   kStale,            ///< LowStates stopped arriving
   kProcessStalled,   ///< this process stalled for more than 100 ms
-  kRestart,          ///< the robot restarted, so it is not the one that was armed
+  kRestart,          ///< the robot restarted after it was armed
   kController,       ///< the StandController damps: see StandController::fault()
   kPowerProtect,     ///< the power protection tripped
   kButton,           ///< button B on the remote
   kFault             ///< another fault: RunSnapshot::damping_fault
 };
-/// Return the reason in one word, as in logs. Real-time: yes.
+/// /// Return the reason in one word, as logs write it. Real-time: yes.
 const char* to_string(RunReason reason) noexcept;
 
 /// State of a StandRunner, published every 50 ms and at every change of phase. Plain data.
@@ -81,7 +81,7 @@ struct RunSnapshot {
   LinkCounts link;                              ///< datagram counts of the link
   double time = 0.0;                            ///< [s] since run() began
   double state_age = 0.0;                       ///< [s] age of the newest LowState
-  std::uint64_t ticks = 0;                      ///< control ticks, those in damping not counted
+  std::uint64_t ticks = 0;                      ///< control ticks outside damping
   std::uint64_t usable_ticks = 0;               ///< of these, ticks with a fresh command
   std::uint64_t ticks_without_state = 0;        ///< of these, ticks without a new LowState
   std::uint64_t saturated_ticks = 0;  ///< of these, standing with torques or power at a limit
@@ -156,14 +156,15 @@ class StandRunner {
   /// to it. It applies while the robot stands, and is cleared when the robot stands up again.
   void set_body_reference(const BodyReference& target);
 
-  /// Return the last RunOptions::log_time of ticks, as long-lived as this object. The log begins
-  /// with the first LowState. It stops 5 s after the robot was last in motion or standing (half of
-  /// log_time if that is less), so that a robot that damps for long keeps the ticks before. Throws
-  /// surefoot::Error while run() is running.
+  /// Return the ticks of the last RunOptions::log_time. The reference is valid as long as this
+  /// object exists. The log begins with the first LowState. It stops 5 s after the robot was last
+  /// in motion or standing (half of log_time if that is less), so that a long damping does not
+  /// overwrite the ticks before it. Throws surefoot::Error while run() is running.
   const RunLog& log() const;
-  /// Return a copy of the state last published. From any thread but that of run(). Real-time: no.
+  /// Return a copy of the snapshot published last. Call it from any thread except the thread of
+  /// run(). Real-time: no.
   RunSnapshot snapshot() const;
-  /// Describe the scheduling and memory locking that run() got, in words; empty before run().
+  /// Describe the scheduling and memory locking that run() obtained, in words; empty before run().
   std::string real_time() const;
   int local_port() const noexcept;  ///< local UDP port
 

@@ -16,10 +16,10 @@ class Dynamics;
 ///
 /// A contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle, 2020)
 /// estimates orientation, velocity, position, contact points and IMU biases from the raw gyroscope
-/// and accelerometer and the leg kinematics. The quaternion of the IMU only initialises it, is
-/// checked against it, and replaces a gyroscope that has stopped. The contact confidence of each
-/// foot is fused from footForceEst, footForce, joint torques and foot motion, which are also
-/// checked against each other.
+/// and accelerometer and the leg kinematics. The filter uses the quaternion of the IMU only as
+/// initial value, and instead of a gyroscope that has stopped. It also checks the quaternion. The
+/// contact confidence of each foot is fused from footForceEst, footForce, joint torques and foot
+/// motion. These sources are also checked against each other.
 ///
 /// The world frame has z up; at the first sample it has the heading of the base, and the mean
 /// height of the feet is zero. Position and yaw are not observable, so they drift; report() has
@@ -59,7 +59,8 @@ class StateEstimator {
   /// Set the ground normal, unit length, world axes. The contact points on the spherical feet move
   /// with it. Real-time: yes.
   void set_ground_normal(const Vector3& normal) noexcept;
-  /// Set the planned motion: what the command behind the next sample was meant to cause.
+  /// Set the planned motion: the motion that the command in force at the next sample was meant to
+  /// cause.
   ///
   /// Measured acceleration beyond the plan is attributed to an external force, and `tau` replaces
   /// tauEst where tauEst is not usable. The plan stays in force until the next call. Without any

@@ -14,20 +14,22 @@ namespace surefoot {
 /// Options of a Supervisor: fixed at construction, unlike gains.
 struct SupervisorOptions {
   /// Level of Safety::power_protect(), 1 .. 10, which trips at 100 W times the level. Rising and
-  /// sitting down are planned for half of it; while standing, stand.power_limit is at most 0.9 of
-  /// it. 0 switches the protection and this power limit off; motions are then planned for level 1.
+  /// sitting down are planned for half of that power; while standing, stand.power_limit is at most
+  /// 0.9 of that power. 0 switches the protection and this power limit off; motions are then
+  /// planned for level 1.
   int power_level = 1;
-  double arming_time = 1.0;           ///< [s] for which all arming checks must have passed
-  double temperature_warning = 60.0;  ///< [deg C] where torque limits start to fall
-  double temperature_stop = 80.0;     ///< [deg C] where they are halved and the robot sits
-  double battery_low = 10.0;          ///< [%] of charge below which the robot sits down
+  double arming_time = 1.0;           ///< [s] duration for which all checks must pass
+  double temperature_warning = 60.0;  ///< [deg C] above which torque limits fall
+  /// [deg C] Temperature at which torque limits are halved and the robot sits down.
+  double temperature_stop = 80.0;
+  double battery_low = 10.0;  ///< [%] charge below which the robot sits down
   /// [kg] Payload above which the robot sits down; infinite: no limit.
   double payload_limit = std::numeric_limits<double>::infinity();
   /// [s] Time without heartbeat() after which the robot sits down; infinite needs no operator.
   double operator_timeout = std::numeric_limits<double>::infinity();
-  /// [rad] Distance that joints must keep from their limits, for arming and for fault kJointStop;
-  /// negative: how far beyond the limits they may be. A fully folded calf rests on its stop, beyond
-  /// the limits.
+  /// [rad] Distance that joints must keep from their limits, for arming and for fault kJointStop.
+  /// Negative: the distance by which joints may exceed their limits. A fully folded calf rests on
+  /// its stop, beyond the limits.
   double joint_margin = -0.15;
   StandOptions stand;           ///< options of the StandController
   Start start = Start::kLying;  ///< state of the robot at the first sample
@@ -43,12 +45,13 @@ struct SupervisorOptions {
 ///
 /// Rising. First the legs fold from any pose, feet beside the body and knees up. Then they move
 /// over a crouch to the standing pose. All legs move alike, so the feet stay in place while the
-/// body comes over them and up. A leg that is blocked backs out and tries again, up to eight times.
-/// If the body rolls over its legs, they are released, at most twice. A robot that already crouches
-/// or stands, with all joints within 0.35 rad of this path, rises from there without folding.
-/// Before the body leaves the ground, the folded legs are weighed and the rear legs press on the
-/// ground, which detects kWiring and kWrongRobot. The speed is limited so that the torques that
-/// hold the robot take half of the power level. Sitting down follows the same path backwards.
+/// body moves over the feet and up. A leg that is blocked backs out and tries again, up to eight
+/// times. If the body rolls over its legs, the legs are released, at most twice. A robot that
+/// already crouches or stands, with all joints within 0.35 rad of this path, rises from there
+/// without folding. Before the body leaves the ground, the folded legs are weighed and the rear
+/// legs press on the ground, which detects kWiring and kWrongRobot. The speed is limited so that
+/// the torques that hold the robot take half of the power level. Sitting down follows the same path
+/// backwards.
 ///
 /// Torques fade between modes within 0.25 s; damping after a stop or a fault comes at once.
 /// fault_table() lists the faults and the reactions to them.
@@ -124,7 +127,8 @@ class Supervisor {
   void set_gains(const Gains& gains);
   const StandController& stand_controller() const noexcept;
   bool command_is_fresh() const noexcept;  ///< true: computed from the newest LowState
-  /// [W] Power that the power protection last judged; 0 while it is off or no torques are applied.
+  /// [W] Power that the power protection last judged; 0 while the protection is off or no torques
+  /// are applied.
   double measured_power() const noexcept;
 
  private:

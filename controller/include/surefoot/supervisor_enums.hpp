@@ -43,7 +43,7 @@ enum class RequestStatus : int {
   kNotArmed,      ///< the robot is not armed: call arm() first
   kNotReady,    ///< an arming check fails or passed too briefly, see arming(); or a fault is active
   kLatched,     ///< damping is latched: call arm() first
-  kOutOfOrder,  ///< not possible from this mode: rise from passive, sit from rise and stand, ...
+  kOutOfOrder,  ///< not possible from this mode, see Supervisor::request()
   kBusy         ///< another request or a stop is pending, or torques fade between two modes
 };
 /// Return the name of a status, such as "not_ready". Real-time: yes.

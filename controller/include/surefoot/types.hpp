@@ -8,11 +8,11 @@
 /// Plain data types that the stages of a tick exchange. All of them can be logged and replayed.
 namespace surefoot {
 
-/// Result of a tick. Ticks report errors by it and never throw.
+/// Result of a tick. A tick reports errors by its status and never throws.
 enum class Status : int {
   kOk = 0,         ///< a command, or a solution, was computed
   kWaiting,        ///< no valid sample has arrived yet, or no tick has run
-  kNonFinite,      ///< a used field is NaN or infinite, or in a LowState beyond 1e4
+  kNonFinite,      ///< a used field is NaN or infinite, or above 1e4 in a LowState
   kImplausible,    ///< a used field is beyond what the robot can do or measure
   kFallen,         ///< the base is tilted beyond the gain fall_tilt
   kBadReference,   ///< the reference needs a unit quaternion and an upward unit ground normal
@@ -39,32 +39,37 @@ struct RobotState {
   /// Create a state at rest, base level at the world origin. Throws surefoot::Error unless nq >= 7
   /// and nv >= 6.
   explicit RobotState(int nq = 19, int nv = 18);
-  Eigen::VectorXd q;  ///< Pinocchio's q: position, quaternion x y z w, joints
-  Eigen::VectorXd v;  ///< Pinocchio's v: twist of the base in base axes, joint velocities
+  /// Pinocchio's q: position of the base in the world [m], quaternion x y z w from base to world
+  /// axes, joint angles [rad].
+  Eigen::VectorXd q;
+  /// Pinocchio's v: linear [m/s] and angular [rad/s] velocity of the base in base axes, joint
+  /// velocities [rad/s].
+  Eigen::VectorXd v;
   /// Contact confidence of each foot, 0 .. 1, FR FL RR RL. At 0 the gains force_lost_contact and
-  /// share_lost_contact limit the load of a stance foot. To lift a foot, use FootReference::stance.
+  /// share_lost_contact limit the load of a stance foot; between 0 and 1 the limits are
+  /// interpolated. To lift a foot, use FootReference::stance.
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
   /// [N] External force through the centre of mass, world axes: pushes and payload.
   Vector3 f_external = Vector3::Zero();
-  /// [N] Sustained part of f_external, world axes: a payload. The torques that hold the robot take
-  /// it into account.
+  /// [N] Sustained part of f_external, world axes: a payload. The torques that hold the robot
+  /// include this part.
   Vector3 f_sustained = Vector3::Zero();
   /// [N.m] External moment about the centre of mass, world axes; the estimator reports its
   /// sustained part.
   Vector3 moment_external = Vector3::Zero();
-  /// Share of RobotConfig::friction that each foot may use, 0 .. 1, FR FL RR RL: less while it
-  /// slips.
+  /// Share of RobotConfig::friction that each foot may use, 0 .. 1, FR FL RR RL. It is smaller
+  /// while the foot slips.
   Eigen::Vector4d friction = Eigen::Vector4d::Ones();
 };
 
 /// Reference of one foot, in the world frame of RobotState.
 struct FootReference {
-  bool stance = true;                 ///< false: swing foot, carries no force
+  bool stance = true;                 ///< false: swing foot, planned without force
   double load = 1.0;                  ///< planned load 0 .. 1; ramp it to make or break contact
   Vector3 p_world = Vector3::Zero();  ///< [m] desired position of the contact point
   Vector3 v_world = Vector3::Zero();  ///< [m/s] desired velocity
   Vector3 a_world = Vector3::Zero();  ///< [m/s^2] feed-forward acceleration
-  Vector3 f_world = Vector3::Zero();  ///< [N] ground on foot; used if Reference::use_forces
+  Vector3 f_world = Vector3::Zero();  ///< [N] desired, ground on foot; for use_forces
 };
 
 /// Point of the body that the position task moves.
@@ -90,7 +95,8 @@ struct Reference {
   Vector3 L_com = Vector3::Zero();
   Vector3 Ldot_com = Vector3::Zero();     ///< [N.m] feed-forward, world axes
   std::array<FootReference, kLegs> feet;  ///< FR FL RR RL
-  bool use_forces = false;  ///< true: regularise towards feet[i].f_world, not towards even forces
+  /// True: the cost pulls the contact forces towards feet[i].f_world, not towards the even forces.
+  bool use_forces = false;
   /// [rad] Joint angles of the posture task, shape (nv - 6,), order of v[6:]; empty: standing pose.
   Eigen::VectorXd posture;
   Vector3 ground_normal = Vector3::UnitZ();  ///< unit length, out of the ground, for all feet
@@ -105,23 +111,23 @@ enum class QpForm {
 /// Return the name of a form. Real-time: yes.
 const char* to_string(QpForm form) noexcept;
 
-/// Solution of the whole-body QP. For a status other than kOk and kSaturated, all fields but
-/// iterations and residuals are those of the last good tick.
+/// Solution of the whole-body QP. If the status is neither kOk nor kSaturated, all fields other
+/// than status, iterations and residuals keep the values of the last good tick.
 struct Solution {
   explicit Solution(int nv = 18)
       : accelerations(Eigen::VectorXd::Zero(nv)), torques(Eigen::VectorXd::Zero(nv - 6)) {}
   Status status = Status::kWaiting;
   QpForm form = QpForm::kAuto;             ///< form that was solved: kCondensed or kGeneral
-  Eigen::VectorXd accelerations;           ///< shape (nv,), Pinocchio's order and base axes
+  Eigen::VectorXd accelerations;           ///< shape (nv,), Pinocchio's order, spatial in base axes
   FeetMatrix forces = FeetMatrix::Zero();  ///< [N] ground on foot, world axes, FR FL RR RL
   Eigen::VectorXd torques;                 ///< [N.m] shape (nv - 6,), order of v[6:]
   double clipped_torque = 0.0;             ///< [N.m] largest torque cut off at a motor limit
   double torque_limit_violation = 0.0;     ///< largest slack of torque limits, share of tau_max
-  double joint_limit_violation = 0.0;      ///< [rad/s^2] of joint position and velocity limits
-  double hold_down_violation = 0.0;        ///< [N] of the hold-down forces
-  int iterations = 0;                      ///< inner iterations of the solver
-  double primal_residual = 0.0;            ///< own check, in the scaling of the QP
-  double dual_residual = 0.0;              ///< own check, in the scaling of the QP
+  double joint_limit_violation = 0.0;      ///< [rad/s^2] largest slack of acceleration limits
+  double hold_down_violation = 0.0;        ///< [N] largest slack of hold-down forces
+  int iterations = 0;                      ///< changes of the active set plus ProxQP iterations
+  double primal_residual = 0.0;            ///< largest violation, in the scaling of the QP
+  double dual_residual = 0.0;              ///< of the gradient, in the scaling of the QP
 };
 
 }  // namespace surefoot

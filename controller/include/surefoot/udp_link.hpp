@@ -25,12 +25,12 @@ struct LinkCounts {
   std::uint64_t refused = 0;      ///< commands that were not finite; damping was sent instead
   std::uint64_t received = 0;     ///< datagrams from the peer, valid or not
   std::uint64_t valid = 0;        ///< valid LowStates of the expected generation
-  std::uint64_t lost = 0;         ///< missing by the sequence of ticks, long gaps included
-  std::uint64_t late = 0;         ///< new LowStates more than 10 ms after the one before
-  std::uint64_t duplicate = 0;    ///< LowStates whose tick had arrived before
-  std::uint64_t reordered = 0;    ///< LowStates older than the newest that had been missing
-  std::uint64_t restarts =
-      0;  ///< restarts of the tick sequence: five rising ticks in a row from behind
+  std::uint64_t lost = 0;         ///< LowStates missing in the sequence of ticks
+  std::uint64_t late = 0;  ///< new LowStates that arrived more than 10 ms after the previous one
+  std::uint64_t duplicate = 0;  ///< LowStates whose tick had arrived before
+  std::uint64_t reordered = 0;  ///< LowStates that arrived after a newer one
+  /// Restarts of the robot: five rising ticks in a row, all older than the newest tick.
+  std::uint64_t restarts = 0;
   std::uint64_t corrupt = 0;           ///< datagrams of the right length that are not a valid frame
   std::uint64_t wrong_generation = 0;  ///< frames of another generation
   std::uint64_t wrong_length = 0;      ///< datagrams with the length of no generation
@@ -40,8 +40,8 @@ struct LinkCounts {
 
 /// Client of the robot's UDP port: sends LowCmd frames, receives LowState frames.
 ///
-/// Datagrams from other senders than the peer are ignored. Until a valid LowState has shown that
-/// the robot uses the expected generation, only damping frames are sent, whatever command is given.
+/// Datagrams from other senders than the peer are ignored. The link sends only damping frames,
+/// whatever the command, until a valid LowState shows that the robot uses the expected generation.
 /// The age of a state counts from its arrival at this machine, so a state that waited in the socket
 /// while this process stalled has its true age. Not thread-safe.
 class UdpLink {

@@ -27,10 +27,10 @@ struct WholeBodyOptions {
 /// Each tick solves one QP. Cost: errors in the desired accelerations of the body (centre of mass
 /// or base, orientation, angular momentum), of the posture and of custom tasks, and the distance of
 /// the contact forces from the even forces. Equality constraints: rigid-body dynamics with
-/// armature, and the desired accelerations of the contact points. Two exceptions: near the support
-/// edge, an unloaded leg is released and keeps its own joint limits; in the general form, the foot
-/// row of a nearly singular leg is part of the cost. Hard constraints: friction and
-/// largest normal force of each foot, which always allow f = 0. Elastic constraints with exact
+/// armature, and the desired accelerations of the contact points. One exception: in the general
+/// form, the foot row of a nearly singular leg is part of the cost. Near the support edge an
+/// unloaded leg is released: its joint limits are applied after the QP. Hard constraints: friction
+/// and largest normal force of each foot, which always allow f = 0. Elastic constraints with exact
 /// penalties: motor torque by the torque-speed curve, joint position and velocity, and hold-down;
 /// so the QP is always feasible. Finally the torques are clipped to the motor limits;
 /// Solution::clipped_torque reports by how much. docs/condensed-qp.md has the equations.
@@ -48,13 +48,13 @@ class WholeBodyController {
   /// Compute one tick. Never throws. Real-time: yes, if the custom tasks are.
   /// @param state q (nq,) and v (nv,) in Pinocchio's order; contact confidence 0 .. 1 per foot
   /// @param reference in the world frame of `state`
-  /// @return the solution; for a status other than kOk and kSaturated, all fields but iterations
-  /// and residuals are those of the last good tick
+  /// @return the solution, see Solution for the fields that are valid at each status
   const Solution& update(const RobotState& state, const Reference& reference) noexcept;
 
-  /// Make the reference that keeps the robot as it is: centre of mass, base pose, contact points
-  /// and posture of `state`, at rest. Throws surefoot::Error if q or v has the wrong size, a value
-  /// is not finite or out of range, or the quaternion is not of unit length. Real-time: no.
+  /// Return the reference that keeps the robot in its present pose: centre of mass, base pose,
+  /// contact points and posture of `state`, at rest. Throws surefoot::Error if q or v has the wrong
+  /// size, a value is not finite or out of range, or the quaternion is not of unit length.
+  /// Real-time: no.
   Reference hold(const RobotState& state);
 
   /// Compute one tick with dynamics that are already computed; StandController uses this.
@@ -63,10 +63,10 @@ class WholeBodyController {
   const Solution& solve(const Dynamics& dynamics, const RobotState& state,
                         const Reference& reference) noexcept;
 
-  /// Solve the QP of the last solve() or update() again after kMaxIterations or kInfeasible: with a
-  /// cold start, in one attempt, and to ten times the tolerance of the own residual check. After
-  /// any other status nothing happens. Custom tasks are not called again. Real-time: yes.
-  /// @param dynamics of that tick
+  /// Solve the QP of the last solve() or update() again after kMaxIterations or kInfeasible: from a
+  /// cold start, in one attempt of ProxQP, with ten times the tolerance. After any other status
+  /// nothing happens. Custom tasks are not called again. Real-time: yes.
+  /// @param dynamics the dynamics that were passed to that solve()
   const Solution& solve_cold(const Dynamics& dynamics) noexcept;
 
   /// Add a custom task, in force from the next tick on. Throws surefoot::Error if `task` is null or

@@ -41,9 +41,9 @@ struct WirelessRemote {
   }
 };
 
-/// Decode the remote. All bytes zero means a remote at rest, or none. If a stick value is not
-/// finite or its magnitude is above 1.05, all sticks are set to 0. Buttons are decoded all the
-/// same, because a button may damp the robot. Real-time: yes.
+/// Decode the remote. All bytes are zero for a remote at rest, or if there is no remote. If a stick
+/// value is not finite or its magnitude is above 1.05, all sticks are set to 0. Buttons are decoded
+/// in any case, because a button may damp the robot. Real-time: yes.
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept;
 
 /// Encode the remote; head and unused bytes are zero. Real-time: yes.

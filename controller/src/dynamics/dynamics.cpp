@@ -19,7 +19,7 @@ Dynamics::Dynamics(const Robot& robot, Source source)
   } else {
     pinocchio_ = std::make_unique<PinocchioDynamics>(robot);
   }
-  // The standing pose shows which side of the hip axis is below.
+  // depth_sign_ makes the depth of all feet positive in the standing pose.
   update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
   for (int leg = 0; leg < kLegs; ++leg)
     depth_sign_[leg] = terms_.legs[leg].depth < 0.0 ? -1.0 : 1.0;

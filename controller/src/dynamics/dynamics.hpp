@@ -11,12 +11,15 @@ namespace surefoot {
 class PinocchioDynamics;
 class QuadrupedDynamics;
 
-/// Kinematics and dynamics of the robot in one tick: M v' + h = S' tau + J' f.
+/// Kinematics and dynamics of the robot in one tick: M dv/dt + h = S^T tau + J^T f.
 ///
-/// Generated code computes them where the robot has Unitree's shape (QuadrupedDynamics), Pinocchio
-/// otherwise. Base quantities are in base axes, as in Pinocchio's v. The contact Jacobian is that
-/// of a sphere of radius r that rolls on ground with normal n: J = J_centre + [r n]x J_angular. So
-/// the shank can rotate about the foot without a friction force. Real-time: update() yes.
+/// For a robot of Unitree's shape, generated code computes all terms (QuadrupedDynamics); for other
+/// robots Pinocchio does. Quantities with `_world` in their name, and the contact quantities of the
+/// legs, are in world axes; other base quantities are in base axes, as in Pinocchio's v.
+///
+/// The contact Jacobian describes a sphere of radius r that rolls on ground with normal n:
+/// J = J_centre + [r n]x J_angular. So the shank can rotate about the foot without a friction
+/// force. Real-time: update() yes.
 class Dynamics {
  public:
   enum class Source { kAuto, kPinocchio };  ///< kPinocchio: for tests that compare both
@@ -25,20 +28,22 @@ class Dynamics {
   Dynamics(Dynamics&&) noexcept;
 
   /// Compute all terms at a state.
-  /// @param q shape (nq,) @param v shape (nv,) @param ground_normal unit length, world axes
+  /// @param q configuration, shape (nq,)
+  /// @param v velocity, shape (nv,)
+  /// @param ground_normal unit length, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
               const Vector3& ground_normal) noexcept;
 
-  /// Shift the results to an inertial frame in which the base has this additional position and
-  /// velocity.
+  /// Shift the results to an inertial frame in which the base has this additional position [m] and
+  /// linear velocity [m/s], world axes.
   ///
-  /// The estimator calls update() with the base at the origin and at rest, before it knows either.
-  /// The equations of motion do not depend on the inertial frame, so only points and velocities
-  /// change.
+  /// The estimator calls update() before it knows position and velocity of the base: with the base
+  /// at the origin and without linear velocity. The equations of motion do not depend on the
+  /// inertial frame, so shift() only changes points and velocities; v_base() does not change.
   void shift(const Vector3& p_world, const Vector3& v_world) noexcept;
 
   /// Return whether the model is a free base with four chains of three joints and nothing else. The
-  /// condensed form is valid only then.
+  /// condensed form of the QP is valid only for such a model.
   bool condensable() const noexcept { return condensable_; }
   /// Write the full matrices, which the general form needs. Real-time: yes.
   void write_full(FullDynamics& out) const noexcept;
@@ -54,13 +59,16 @@ class Dynamics {
   const Matrix3& R_world_base() const noexcept { return terms_.R_world_base; }
   const Vector3& p_world_com() const noexcept { return terms_.p_world_com; }
   const Vector3& v_world_com() const noexcept { return terms_.v_world_com; }
-  /// Change of the base's linear spatial acceleration by shift(): -w x v, base axes [m/s^2].
+  /// Amount by which shift() changed the linear spatial acceleration of the base: -w x v, base axes
+  /// [m/s^2].
   const Vector3& a_base_shift() const noexcept { return a_base_shift_; }
   Vector3 w_world_base() const noexcept { return terms_.R_world_base * terms_.w_base; }
   const Vector3& w_base() const noexcept { return terms_.w_base; }
   const Vector3& p_world_base() const noexcept { return terms_.p_world_base; }
   const Vector3& v_world_base() const noexcept { return terms_.v_world_base; }
-  /// Base velocity passed to update(), base axes [m/s]; h is valid for this velocity.
+  /// Linear velocity of the base that was passed to update(), base axes [m/s]. shift() does not
+  /// change it; h is valid for this velocity. After shift() use v_world_base() for the actual
+  /// value.
   const Vector3& v_base() const noexcept { return terms_.v_base; }
   /// Angular momentum about the centre of mass, world axes [kg.m^2/s].
   const Vector3& L_world_com() const noexcept { return terms_.L_world_com; }
@@ -75,17 +83,18 @@ class Dynamics {
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
 };
 
-/// Return the contact points, shape (3, 4) [m], world axes. Real-time: yes.
+/// Return the contact points FR FL RR RL, world frame [m]. Real-time: yes.
 inline FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
   FeetMatrix points;
   for (int leg = 0; leg < kLegs; ++leg) points.col(leg) = dynamics.legs()[leg].p_world_contact;
   return points;
 }
 
-/// Compute the velocities of the contact points by rolling of the spherical feet, without slip:
-/// contact w_shank x lever. Shape (3, 4) [m/s], world axes. Real-time: yes.
+/// Compute the velocities of the contact points by rolling of the spherical feet without slip:
+/// w_world_shank x lever, times the contact confidence. Real-time: yes.
 /// @param contact contact confidence per foot, 0 .. 1
-/// @param lever [m] from a contact point to the centre of its foot, world axes
+/// @param lever vector from a contact point to the centre of its foot, world axes [m]
+/// @return velocities FR FL RR RL, world axes [m/s]
 inline FeetMatrix rolling_velocities(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                                      const Vector3& lever) noexcept {
   FeetMatrix rates;

@@ -24,7 +24,7 @@ double* write_joint(const Robot& robot, int motor, double* out) {
   return out;
 }
 
-// One leg's lane of the paired values; matrices are stored by columns.
+// View of the values of one leg in an array of LegPair; matrices are stored by columns.
 struct LegLane {
   const LegPair* results;
   int lane;
@@ -33,7 +33,7 @@ struct LegLane {
   void read(int first, Matrix& out) const {
     for (int i = 0; i < out.size(); ++i) out.data()[i] = (*this)[first + i];
   }
-  // Reads the upper triangle, stored by columns.
+  // Read a symmetric matrix from its upper triangle, stored by columns.
   void read_symmetric(int first, Matrix3& out) const {
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i <= j; ++i) out(i, j) = out(j, i) = (*this)[first + j * (j + 1) / 2 + i];

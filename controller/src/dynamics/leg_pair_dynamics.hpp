@@ -12,23 +12,23 @@ typedef double LegPair __attribute__((vector_size(16)));
 
 /// Evaluates the generated leg dynamics for the four legs of a robot, two legs at a time.
 ///
-/// Real-time: all but the constructor.
+/// Real-time: all functions except the constructor.
 class LegPairDynamics {
  public:
   /// @param robot must satisfy QuadrupedDynamics::fits()
   explicit LegPairDynamics(const Robot& robot);
 
   /// Evaluate all legs.
-  /// @param terms R_world_base, v_base and w_base are read
+  /// @param terms input: R_world_base, v_base and w_base
   /// @param g_base gravity in base axes [m/s^2]
   void evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const DynamicsTerms& terms,
                 const Vector3& g_base, const Vector3& ground_normal) noexcept;
 
-  /// Sum the results that the legs share, entry by entry.
+  /// Sum the first kShared results of each leg over the four legs, entry by entry.
   void sum_over_legs(double (&sums)[leg_code::kShared]) const noexcept;
 
-  /// Write the results of a leg.
-  /// @param out R_world_base, p_world_base and w_base are read
+  /// Write the results of a leg to out.legs[leg].
+  /// @param out in and out; R_world_base, p_world_base and w_base must be set
   void read_leg(int leg, DynamicsTerms& out) const noexcept;
 
  private:

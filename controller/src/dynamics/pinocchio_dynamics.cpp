@@ -25,6 +25,7 @@ bool has_three_joint_legs(const Robot& robot) noexcept {
 
 bool has_standard_gravity(const Robot& robot) noexcept {
   const Vector3 gravity = robot.model().gravity.linear();
+  // [m/s^2] Numerical: a rounded 9.81.
   return (gravity + kGravity * Vector3::UnitZ()).norm() <= 1e-6;
 }
 
@@ -42,8 +43,8 @@ PinocchioDynamics::~PinocchioDynamics() = default;
 void PinocchioDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                const Vector3& ground_normal, DynamicsTerms& out) noexcept {
   auto& [model, data] = *pinocchio_;
-  // crba() computes the mass matrix, the world Jacobian and the placements; nonLinearEffects() the
-  // velocities, drifts and h.
+  // crba() computes the mass matrix, the world Jacobian and the placements. nonLinearEffects()
+  // computes the velocities, the drifts and h.
   pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
   pinocchio::nonLinearEffects(model, data, q, v);
 
@@ -78,7 +79,8 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   const auto& placement = data.oMi[frame.parentJoint];
   const int* column = &robot_.motor_to_v()[3 * leg];
 
-  // Contact point and its rows: v_p = v_O + w x p from the spatial Jacobian about the world origin.
+  // Contact point and its Jacobian, from the spatial Jacobian about the world origin:
+  // v_p = v_O + w x p.
   const Vector3 p_centre = placement.act(frame.placement.translation());
   const Vector3 lever = robot_.config().foot_radius * ground_normal;
   out.p_world_contact = p_centre - lever;
@@ -91,8 +93,8 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
     out.joint_axes_world.col(k) = J.tail<3>();
   }
 
-  // Drift: classical acceleration of the foot centre at zero joint acceleration (a_gf carries
-  // -gravity), plus the rolling term.
+  // Drift: classical acceleration of the foot centre at zero generalised acceleration, plus the
+  // rolling term. Pinocchio's a_gf includes -gravity, so gravity is added.
   const auto& twist = data.v[frame.parentJoint];
   const auto& accel = data.a_gf[frame.parentJoint];
   const Vector3 w = twist.angular();
@@ -106,8 +108,8 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
               lever.cross(placement.rotation() * accel.angular());
 
   for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
-  // With further joints, those of a leg may not be adjacent in v. Only the upper triangle of M is
-  // valid.
+  // If the robot has further joints, the joints of a leg may not be adjacent in v. Only the upper
+  // triangle of data.M is valid.
   for (int k = 0; k < kLegJoints; ++k) {
     out.M_base_leg.col(k) = data.M.col(column[k]).head<6>();
     for (int j = 0; j < kLegJoints; ++j) {
@@ -115,8 +117,9 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
       out.M_leg(j, k) = data.M(first, second);
     }
   }
-  // The hip's column of J is its axis x the vector to the contact point. Its component along the
-  // thigh axis is the depth of the foot below the hip axis, and a factor of det J.
+  // The first column of J_leg is (hip axis) x (vector from the hip axis to the contact point). The
+  // component of this column along the thigh axis is the depth of the contact point below the hip
+  // axis; det(J_leg) is proportional to it.
   out.depth = out.J_leg.col(0).dot(out.joint_axes_world.col(1));
 }
 
@@ -127,7 +130,7 @@ void PinocchioDynamics::write_full(const DynamicsTerms& terms, FullDynamics& out
       out.M.transpose().triangularView<Eigen::StrictlyLower>();
   out.h = data.nle;
   out.J.setZero();
-  // Pinocchio's Jacobian refers to the origin of update()'s frame; shift() has moved the points.
+  // Pinocchio's Jacobian refers to the frame of update(); shift() may have moved the points since.
   const Vector3 shift = terms.p_world_base - data.oMi[1].translation();
   for (int leg = 0; leg < kLegs; ++leg) {
     const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;

@@ -16,19 +16,21 @@ bool has_standard_gravity(const Robot& robot) noexcept;
 
 /// Dynamics of a robot of any shape, by Pinocchio's crba() and nonLinearEffects().
 ///
-/// Real-time: all but the constructor.
+/// Real-time: all functions except the constructor.
 class PinocchioDynamics {
  public:
   explicit PinocchioDynamics(const Robot& robot);
   ~PinocchioDynamics();
 
   /// Compute all terms at a state.
-  /// @param q shape (nq,) @param v shape (nv,) @param ground_normal unit length, world axes
+  /// @param q configuration, shape (nq,)
+  /// @param v velocity, shape (nv,)
+  /// @param ground_normal unit length, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
               DynamicsTerms& out) noexcept;
 
   /// Write the full matrices of the last update().
-  /// @param terms result of that update(), possibly shifted since
+  /// @param terms result of that update(); it may have been shifted since
   void write_full(const DynamicsTerms& terms, FullDynamics& out) const noexcept;
 
  private:

@@ -11,6 +11,7 @@ namespace code = leg_code;
 
 bool QuadrupedDynamics::fits(const Robot& robot) noexcept {
   const auto& model = robot.model();
+  // Numerical: a URDF without rotation gives the identity up to rounding.
   const auto unrotated = [](const Matrix3& R) { return R.isIdentity(1e-12); };
   if (!has_three_joint_legs(robot) || !model.jointPlacements[1].isIdentity(1e-12) ||
       !model.armature.head<6>().isZero(0.0)) {
@@ -46,8 +47,8 @@ void QuadrupedDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   for (int leg = 0; leg < kLegs; ++leg) legs_.read_leg(leg, out);
 }
 
-// Inertia, momentum and bias of the robot are the sums over the base body and the four legs, about
-// the base origin, in base axes.
+// Compute the terms of the whole robot. Inertia, momentum and h are sums over the base body and the
+// four legs, about the base origin, in base axes.
 void QuadrupedDynamics::assemble_base(const Vector3& g, DynamicsTerms& out) const noexcept {
   double sums[code::kShared];
   legs_.sum_over_legs(sums);

@@ -22,7 +22,9 @@ class QuadrupedDynamics {
   explicit QuadrupedDynamics(const Robot& robot);
 
   /// Compute all terms at a state.
-  /// @param q shape (nq,) @param v shape (nv,) @param ground_normal unit length, world axes
+  /// @param q configuration, shape (nq,)
+  /// @param v velocity, shape (nv,)
+  /// @param ground_normal unit length, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
               DynamicsTerms& out) noexcept;
 
@@ -32,7 +34,8 @@ class QuadrupedDynamics {
   LegPairDynamics legs_;
   double mass_;
   Vector3 gravity_;  ///< world axes [m/s^2]
-  // Base body: mass, mass times centre of mass, rotational inertia about the base origin.
+  // Base body: mass [kg], mass times centre of mass [kg.m], rotational inertia about the base
+  // origin [kg.m^2].
   double base_mass_;
   Vector3 base_mass_lever_;
   Matrix3 base_inertia_;

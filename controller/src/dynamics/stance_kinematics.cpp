@@ -9,10 +9,16 @@
 namespace surefoot {
 
 namespace {
+// Largest number of Newton steps. Chosen: each step doubles the number of correct digits, so if
+// more steps were needed there is no solution.
 constexpr int kIterations = 6;
-constexpr double kTolerance = 1e-6;       // [m] of a foot
-constexpr double kMaxJointStep = 0.2;     // [rad] per joint and step; more could fold a leg over
-constexpr double kMinDeterminant = 1e-7;  // [m^3] smaller: the leg is singular
+// [m] Foot error below which a solution is accepted. Chosen below the encoders' resolution, 6e-6 m.
+constexpr double kTolerance = 1e-6;
+// [rad] Largest change of a joint in one step. Chosen: a larger change could fold a leg over.
+constexpr double kMaxJointStep = 0.2;
+// [m^3] Determinant of the leg Jacobian below which the leg is singular. Numerical: with links of
+// 0.2 m determinants are about 0.2^3 = 8e-3.
+constexpr double kMinDeterminant = 1e-7;
 }  // namespace
 
 struct StanceKinematics::Pinocchio {
@@ -41,7 +47,7 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
   q_trial_.segment<4>(3) = R_base.coeffs();
   for (int k = 0; k < kIterations; ++k) {
     const double error = newton_step(centres, lever);
-    if (!(error < 10.0)) return false;
+    if (!(error < 10.0)) return false;  // [m] beyond any robot, or infinite
     if (error > kTolerance) continue;
     q_ = q_trial_;
     depth_ = depth_trial_;
@@ -51,8 +57,8 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
   return false;
 }
 
-// Take one Newton step of each leg; return the largest foot error [m] before it, infinite if a leg
-// is singular.
+// Do one Newton step for each leg. Return the largest foot error [m] before the step; infinity if a
+// leg is singular.
 double StanceKinematics::newton_step(const FeetMatrix& centres, const Vector3& lever) noexcept {
   auto& [model, data] = *pinocchio_;
   pinocchio::computeJointJacobians(model, data, q_trial_);

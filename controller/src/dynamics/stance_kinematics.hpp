@@ -7,27 +7,32 @@
 
 namespace surefoot {
 
-/// Inverse kinematics of all four legs for a pose of the base, by Newton's method from the last
-/// solution.
+/// Inverse kinematics of all four legs for a pose of the base, by Newton's method. The last
+/// solution is the initial guess.
 ///
-/// Pose, contact points and normal may be in any common frame. Real-time: solve() yes.
+/// Pose, contact points and normal must be in one common frame; any frame is valid.
+/// Real-time: solve() yes.
 class StanceKinematics {
  public:
   explicit StanceKinematics(const Robot& robot);
   ~StanceKinematics();
   StanceKinematics(StanceKinematics&&) noexcept;
 
-  /// Set the start of the next solve(); q has shape (nq,).
+  /// Set the initial guess of the next solve().
+  /// @param q configuration, shape (nq,)
   void set_initial_guess(const Eigen::VectorXd& q) noexcept { q_ = q; }
 
-  /// Find the joint angles that place the contact points.
-  /// @return false if a leg does not reach its foot; q() is then unchanged
+  /// Find the joint angles that put the feet at the contact points.
+  /// @param contacts contact points FR FL RR RL [m]
+  /// @param normal ground normal, unit length
+  /// @return false if a leg cannot reach its contact point; all results are then unchanged
   bool solve(const Vector3& p_base, const Quaternion& R_base, const FeetMatrix& contacts,
              const Vector3& normal) noexcept;
 
   const Eigen::VectorXd& q() const noexcept { return q_; }
-  const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] of the last solution
-  /// Depth of each foot below its hip axis, in the plane of the leg [m], of the last solution.
+  /// Centre of mass [m] of the last solution, in the frame of solve().
+  const Vector3& p_com() const noexcept { return p_com_; }
+  /// Depth [m] of each contact point below its hip axis, in the leg's plane, of the last solution.
   const Eigen::Vector4d& depth() const noexcept { return depth_; }
 
  private:

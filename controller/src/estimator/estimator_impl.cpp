@@ -7,24 +7,28 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time constant behind the angular acceleration. Equal to LegForces::kFilterTime.
+// [s] Time constant of the filter that gives the angular acceleration. Equal to
+// LegForces::kFilterTime.
 constexpr double kRateFilterTime = 0.005;
-// [m/s] Slower motion is noise, not travel. Chosen. Below: velocity noise of a robot at rest;
-// above: slow travel must count, because it makes the variance of the position grow (leg_scale).
+// [m/s] Speed of the base above which its motion counts in path_length. Chosen. Below: velocity
+// noise of a robot at rest; above: slow motion must count, because the variance of the position
+// grows with path_length (gain leg_scale).
 constexpr double kMinTravelSpeed = 0.05;
-// [m/s] Added when all stance feet are rejected. Chosen: larger than the velocity error after a
-// blow that saturates the accelerometer; test_estimate_recovers_from_a_saturated_accelerometer.
+// [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen:
+// larger than the velocity error after a blow that saturates the accelerometer;
+// test_estimate_recovers_from_a_saturated_accelerometer.
 constexpr double kVelocitySigma = 1.0;
-// Contact confidence of a stance foot. Chosen. Below: 0.5, reached half-way through contact_dwell;
-// above: 1, which a foot with one dissenting source may never reach.
+// Contact confidence above which a foot counts as a stance foot for FootNoise and for the recovery
+// from rejected feet. Chosen. Below: 0.5, reached half-way through contact_dwell; above: 1, which a
+// foot with one dissenting source may never reach.
 constexpr double kStanceConfidence = 0.9;
-// [rad/s] Upper bound of a body at rest. Chosen. Below: bias and noise of the gyroscope (0.02 and
-// 0.01 rad/s by default); above: a rotation with centripetal acceleration.
+// [rad/s] Angular rate below which the body counts as at rest. Chosen. Below: bias and noise of the
+// gyroscope (0.02 and 0.01 rad/s by default); above: a rotation with centripetal acceleration.
 constexpr double kRestRate = 0.2;
-// A robot is supported when its feet carry this share of its weight (chosen: 0 in the air, 1 at
-// rest)
+// A robot is supported when both values are exceeded.
+// Load of all feet, as a share of the weight. Chosen: the load is 0 in the air and 1 at rest.
 constexpr double kSupportedShare = 0.4;
-// and their contact confidences add up to this: derived, half-way between two feet and three.
+// Sum of the contact confidences. Derived: half-way between two feet and three.
 constexpr double kMinContactSum = 2.5;
 
 }  // namespace
@@ -55,8 +59,9 @@ FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
   return out;
 }
 
-// Compute kinematics and dynamics with the base at the origin and without linear velocity;
-// correct() shifts them. The rotation of that correction enters in the next tick only.
+// Compute kinematics and dynamics with the base at the origin and without linear velocity.
+// correct() shifts the results to the estimated position and velocity. Its correction of the
+// attitude takes effect in the next tick: until then state.q has the predicted attitude.
 void StateEstimator::Impl::update_dynamics() noexcept {
   if (started) state.q.segment<4>(3) = filter.quaternion().coeffs();  // x y z w
   state.q.head<3>().setZero();
@@ -120,12 +125,13 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     stance_count += in_stance;
     rejected_count += in_stance && filter.rejected_feet()[leg];
   }
-  // While the IMU repeats old samples, innovations contain motion that it did not measure. The
-  // noise of the feet must not adapt to that.
+  // While the IMU repeats old samples, innovations contain motion that the IMU did not measure. The
+  // noise of the feet must not adapt to this motion.
   const bool fresh = imu.w_age == 1 && imu.f_age <= 2;
   if (fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
-  // When all stance feet are rejected, the prediction is wrong and the feet are right: an impact
-  // has saturated the accelerometer. Otherwise the gate would reject the feet for ever.
+  // When the gate rejects all stance feet, the prediction is wrong and the feet are right: an
+  // impact has saturated the accelerometer. Without more variance the gate would reject the feet
+  // for ever.
   if (stance_count >= 2 && rejected_count == stance_count)
     filter.add_velocity_variance(kVelocitySigma * kVelocitySigma);
 
@@ -141,31 +147,34 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   if (attitude_diverged()) restart_alignment();
 }
 
-// Return whether the attitude has diverged, for example by a gyroscope fault that was detected too
-// late: the IMU quaternion and the accelerometer of a robot at rest agree with each other, but not
-// with the filter.
+// Return whether the attitude of the filter has diverged, for example because a gyroscope fault was
+// detected too late. The attitude has diverged if, at rest, the IMU quaternion and the
+// accelerometer agree with each other, but the quaternion contradicts the filter.
 bool StateEstimator::Impl::attitude_diverged() const noexcept {
   if (quaternion_check.verdict() != SensorVerdict::kDisagrees || w_filtered.norm() > kRestRate)
     return false;
   return accelerometer_matches_quaternion(imu);
 }
 
+// Return whether the feet carry the robot, and measured or planned joint torques are available.
 bool StateEstimator::Impl::supported() const noexcept {
   const double total_load = (leg_forces.forces().transpose() * normal).sum();
   return (torques_valid() || has_plan) && state.contact.sum() > kMinContactSum &&
          total_load > kSupportedShare * robot.mass() * kGravity;
 }
 
-// Attribute measured acceleration beyond the plan to a push, quickly, and contact forces beyond
-// the model to a payload, slowly. The plan includes the estimates of both that it was made with.
+// Compute the external wrench. PayloadObserver attributes contact forces that the model does not
+// explain to a payload, slowly. PushObserver attributes acceleration that the plan does not explain
+// to a push, quickly. The plan already includes the payload and the push estimated at that time.
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   payload.update(gains, dynamics, leg_forces.forces(), supported, dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
-  // Planned classical acceleration of the base origin. It includes the push that was estimated
-  // when the plan was made; the feet do not cause that part, so it is removed below.
+  // Planned classical acceleration of the base origin, base axes. The plan includes the push
+  // estimated at that time (planned_push), but the feet do not cause this part of the acceleration:
+  // a_feet = a - planned_push / m, so a_measured - a_feet = unplanned + planned_push / m.
   const Vector3 a = planned_acceleration.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
   const Vector3 unplanned = dynamics.R_world_base() * (base_acceleration() - a);
   push.update(gains, unplanned + planned_push / robot.mass(), supported, dt);

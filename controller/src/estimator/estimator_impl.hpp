@@ -20,9 +20,10 @@ namespace surefoot {
 
 /// Components of the estimator, and the stages of its tick.
 ///
-/// One update() runs read_joints(), initialise() (first sample only), predict(), update_dynamics(),
-/// update_contacts(), correct() and observe_external_wrench(), in this order. correct() calls
-/// align() and, after a divergence of the attitude, restart_alignment().
+/// StateEstimator::update() calls, in this order: read_joints(), imu_reader.read(),
+/// torque_check.update(), initialise() (first sample only), predict(), update_dynamics(),
+/// update_contacts(), correct() and observe_external_wrench(). correct() calls align() and, after a
+/// divergence of the attitude, restart_alignment().
 struct StateEstimator::Impl {
   explicit Impl(const Robot& r);
 
@@ -38,8 +39,8 @@ struct StateEstimator::Impl {
   void reset() noexcept;
 
   FootContactState foot_contact_state() const noexcept;
-  /// Compute the classical acceleration [m/s^2] of the base origin from the accelerometer, without
-  /// gravity, base axes.
+  /// Compute the measured classical acceleration [m/s^2] of the base origin, without gravity, base
+  /// axes. Source: accelerometer, bias removed.
   Vector3 base_acceleration() const noexcept;
   bool torques_valid() const noexcept { return torque_check.verdict() == SensorVerdict::kGood; }
   bool supported() const noexcept;
@@ -63,24 +64,25 @@ struct StateEstimator::Impl {
   PayloadObserver payload;
   PushObserver push;
 
-  Vector6 planned_acceleration = Vector6::Zero();  // spatial, base axes
-  Vector12 planned_tau = Vector12::Zero();
-  Vector3 planned_push = Vector3::Zero();  // [N] world axes
+  Vector6 planned_acceleration = Vector6::Zero();  // spatial, base axes [m/s^2], [rad/s^2]
+  Vector12 planned_tau = Vector12::Zero();         // [N.m] SDK motor order
+  Vector3 planned_push = Vector3::Zero();  // [N] world axes; the push that the plan includes
   bool has_plan = false;
   RobotState state;
-  Vector12 tau_est = Vector12::Zero();  // SDK motor order, like q and dq
+  Vector12 tau_est = Vector12::Zero();  // [N.m]; tau_est, q and dq are in SDK motor order
   Vector12 q = Vector12::Zero(), dq = Vector12::Zero();
   ImuInput imu_input;
-  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);  // normal forces / weight, by torques
+  // Normal force of each foot / weight of the robot, computed from the joint torques.
+  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);
   Vector3 w_base = Vector3::Zero(), w_filtered = Vector3::Zero();  // [rad/s] bias removed
-  Vector3 alpha_base = Vector3::Zero();                            // [rad/s^2]
-  Vector3 normal = Vector3::UnitZ();
-  double path_length = 0.0;  // [m] travelled by the base
+  Vector3 alpha_base = Vector3::Zero();                            // [rad/s^2] base axes
+  Vector3 normal = Vector3::UnitZ();                               // of the ground, world axes
+  double path_length = 0.0;                                        // [m] path of the base
   bool started = false, aligned = false;
 };
 
-/// Return whether the accelerometer measures gravity only, along the vertical of the IMU
-/// quaternion.
+/// Return whether the accelerometer measures only gravity, in the direction of the vertical that
+/// the IMU quaternion gives.
 bool accelerometer_matches_quaternion(const ImuReading& imu) noexcept;
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Start of the estimator: initial state of the filter, and alignment of the tilt before biases are
-// estimated.
+// Start of the estimator: initial state of the filter, and alignment of the tilt before the filter
+// estimates biases.
 #include <algorithm>
 
 #include "estimator/estimator_impl.hpp"
@@ -11,30 +11,34 @@ namespace {
 
 // [rad] Smallest initial standard deviation of the tilt. Chosen: the 3 deg of kMaxTiltDifference.
 constexpr double kMinTiltSigma = 0.05;
-// Share of g by which the specific force at rest may differ. Chosen. Below: bias and scale error of
-// an accelerometer (start_accelerometer_bias is 0.01 g); above: accelerations of a robot that
-// moves.
+// Largest difference between the norm of the specific force at rest and g, as a share of g. Chosen.
+// Below: bias and scale error of an accelerometer (start_accelerometer_bias is 0.01 g); above:
+// accelerations of a robot that moves.
 constexpr double kRestTolerance = 0.1;
-// [rad] Quaternion and accelerometer agree below this, 3 deg. Chosen. Below: 0.6 deg, the tilt that
-// a bias of 0.1 m/s^2 causes; above: kMaxTiltDifference of QuaternionCheck, 5 deg.
+// [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen. Below: 0.6
+// deg, the tilt error by a bias of 0.1 m/s^2; above: 5 deg, kMaxTiltDifference of QuaternionCheck.
 constexpr double kMaxTiltDifference = 0.05;
-// [rad] 2 deg: biases are estimated below this. Chosen: below kMinTiltSigma, so that alignment
-// always takes place; above the 0.6 deg that the accelerometer's bias leaves unobservable.
+// [rad] Standard deviation of the tilt below which the filter estimates biases, 2 deg. Chosen:
+// below kMinTiltSigma, so that alignment always takes place; above 0.6 deg, the tilt error by an
+// accelerometer bias, which is not observable.
 constexpr double kAlignedTiltSigma = 0.035;
 
-// Remove the heading: the world frame has the heading of the base at the first sample.
+// Remove the heading from an attitude: the world frame has the heading of the base at the first
+// sample.
 Quaternion remove_yaw(const Quaternion& R) noexcept {
   const Vector3 x_axis = R * Vector3::UnitX();
   const double yaw = std::atan2(x_axis.y(), x_axis.x());
   return Quaternion(Eigen::AngleAxisd(-yaw, Vector3::UnitZ())) * R;
 }
 
+// Return the attitude without heading that turns the specific force upwards.
 Quaternion attitude_from_accelerometer(const Vector3& f_base) noexcept {
   if (f_base.norm() < 1.0) return Quaternion::Identity();  // free fall: no vertical
   return Quaternion::FromTwoVectors(f_base, Vector3::UnitZ());
 }
 
-// Compute the angle [rad] between the vertical of an accelerometer at rest and that of an attitude.
+// Compute the angle [rad] between the vertical that an accelerometer at rest measures and the
+// vertical of an attitude.
 double tilt_between(const Vector3& f_base, const Quaternion& R) noexcept {
   const Vector3 up = attitude_from_accelerometer(f_base).conjugate() * Vector3::UnitZ();
   return std::acos(std::clamp(up.dot(R.conjugate() * Vector3::UnitZ()), -1.0, 1.0));
@@ -82,13 +86,14 @@ void StateEstimator::Impl::reset() noexcept {
   normal = Vector3::UnitZ();
 }
 
-// The filter tracks the IMU point, because the accelerometer measures there. The mean height of the
-// feet is zero. The base velocity follows from the legs, as if all feet stood still.
+// Start the filter. Its point is the IMU point, because the accelerometer measures there. World
+// z = 0 is the mean height of the feet. The base velocity is the one at which the feet are at rest
+// on average.
 void StateEstimator::Impl::initialise() noexcept {
   Quaternion R =
       remove_yaw(imu.has_quaternion ? imu.R_world_base : attitude_from_accelerometer(imu.f_base));
-  // An unfilled quaternion (1, 0, 0, 0) has unit length too. At rest, measured gravity replaces a
-  // quaternion that differs from it by more than start_tilt.
+  // A quaternion that the robot does not fill, (1, 0, 0, 0), has unit length too. So at rest the
+  // accelerometer replaces a quaternion whose tilt differs by more than start_tilt.
   if (measures_gravity(imu.f_base) && tilt_between(imu.f_base, R) > gains.start_tilt)
     R = attitude_from_accelerometer(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();
@@ -114,9 +119,9 @@ void StateEstimator::Impl::initialise() noexcept {
   aligned = false;
 }
 
-// To the filter a large attitude error looks like a bias: it would estimate a wrong bias with a
-// small variance. So the biases start without variance. Once accelerometer and legs have determined
-// the tilt, the covariance is reset, this time with uncertain biases.
+// Reset the covariance with uncertain biases, once accelerometer and legs have determined the tilt.
+// Until then the biases have no variance: the filter cannot distinguish a large attitude error from
+// a bias, and would estimate a wrong bias with a small variance.
 void StateEstimator::Impl::align() noexcept {
   const auto& P = filter.covariance();
   if (aligned || P(0, 0) + P(1, 1) > kAlignedTiltSigma * kAlignedTiltSigma) return;
@@ -125,7 +130,8 @@ void StateEstimator::Impl::align() noexcept {
   aligned = true;
 }
 
-// Restore the initial uncertainty and discard the biases, which a wrong attitude has falsified.
+// Restore the initial uncertainty and discard the biases, because a wrong attitude has made them
+// wrong too.
 void StateEstimator::Impl::restart_alignment() noexcept {
   filter.reset_biases();
   filter.reset_covariance(

@@ -8,8 +8,8 @@
 namespace surefoot {
 
 namespace {
-// [s] One sample cannot describe a longer step. Chosen. Below: 0.022 s, the steps of a 50 Hz
-// sensor; above: the controller damps after 0.1 s without a sample (kRobotWatchdogTime).
+// [s] Longest time step that one sample can describe. Chosen. Below: 0.01 s, the period at 100 Hz;
+// above: the controller damps after 0.1 s without a sample (kRobotWatchdogTime).
 constexpr double kMaxTimeStep = 0.1;
 }  // namespace
 
@@ -38,8 +38,8 @@ bool StateEstimator::adopt_gains(const Gains& gains) noexcept {
 }
 
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept {
-  // With another normal, a foot touches the ground at another point of its sole. The contact points
-  // move; the feet do not.
+  // With another ground normal, a foot touches the ground at another point of its sphere. So the
+  // contact points move, although the feet stay where they are.
   const Vector3 displacement = -impl_->robot.config().foot_radius * (normal - impl_->normal);
   if (impl_->started) impl_->filter.move_feet(displacement.replicate<1, kLegs>());
   impl_->normal = normal;

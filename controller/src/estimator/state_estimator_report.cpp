@@ -7,8 +7,9 @@ namespace {
 
 using Covariance = Eigen::Matrix<double, 15, 15>;
 
-// Convert the covariance of the filter's error, on the group and of the IMU point, to that of plain
-// errors of the base. To first order, x_estimate - x = xi_x + xi_R x x.
+// Convert the covariance of the filter's error xi, which is on the group and for the IMU point, to
+// the covariance of plain errors of the base. For a vector x of the state, to first order:
+// x_estimate - x = xi_x + xi_R x x.
 Covariance base_covariance(const InvariantFilter& filter, const Vector3& p_base,
                            const Vector3& v_base, const Vector3& p_base_imu) noexcept {
   constexpr int kParts[] = {error_index::kRotation, error_index::kVelocity, error_index::kPosition,
@@ -47,14 +48,14 @@ EstimatorReport StateEstimator::report() const noexcept {
   const Vector3 v_base = s.dynamics.R_world_base() * s.state.v.head<3>();
   out.covariance =
       base_covariance(s.filter, s.state.q.head<3>(), v_base, s.robot.config().p_base_imu);
-  // Wrong leg lengths cause the same error in every step. The filter's white noise does not model
-  // that.
+  // Wrong leg lengths cause the same position error in every step. White noise does not model such
+  // an error, so its variance is added here.
   const double scale_error = s.gains.leg_scale * s.path_length;
   out.covariance.diagonal().segment<3>(6).array() += scale_error * scale_error;
   out.nis = s.filter.nis();
   out.nis_dimension = s.filter.nis_dimension();
   out.rejected_feet = s.filter.rejected_feet();
-  out.force_external = s.payload.force();
+  out.f_sustained = s.payload.force();
   out.moment_external = s.payload.moment();
   out.payload = s.payload.mass();
   out.com_shift = s.dynamics.R_world_base().transpose() * s.payload.com_shift();

@@ -6,10 +6,16 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRestartSamples = 5;           // old samples in a row that show a restart
-constexpr double kMinTickDuration = 0.5e-3;  // [s] least arrival time per tick of that row
-constexpr int kStepsToShortenPeriod = 2,
-              kStepsToLengthenPeriod = 8;  // equal steps in a row for a new period
+// Chosen; covered by test_tick_sequence.cpp.
+// Number of old samples in a row that show a restart. Fewer could be reordered samples. More would
+// leave the robot without control for longer than 10 ms at 500 Hz.
+constexpr int kRestartSamples = 5;
+// [s] Shortest arrival time of these samples, per tick. Derived: half of the 1 ms that a tick
+// lasts. Late samples in a burst arrive faster.
+constexpr double kMinTickDuration = 0.5e-3;
+// Number of equal steps in a row that set a new period. Fewer could come from single lost samples.
+// More would miscount lost samples for longer.
+constexpr int kStepsToShortenPeriod = 2, kStepsToLengthenPeriod = 8;
 }  // namespace
 
 TickSequence::Arrival TickSequence::classify(std::uint32_t tick, double time) noexcept {
@@ -25,7 +31,7 @@ TickSequence::Arrival TickSequence::classify(std::uint32_t tick, double time) no
 void TickSequence::begin(std::uint32_t tick) noexcept {
   started_ = true;
   newest_tick_ = tick;
-  received_ = 1;  // the newest itself
+  received_ = 1;  // bit 0: the newest sample itself
   period_ = step_ = 0;
   step_repeats_ = behind_count_ = 0;
 }
@@ -59,11 +65,12 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
     begin(tick);
     return Arrival::kRestarted;
   }
-  if (lost_ > 0) --lost_;  // it was counted as lost
+  if (lost_ > 0) --lost_;  // the late sample was counted as lost
   return Arrival::kReordered;
 }
 
-// Lost samples lengthen a step, so a shorter step needs fewer repetitions than a longer one.
+// Lost samples lengthen a step. So a shorter step becomes the period after fewer repetitions than a
+// longer step.
 void TickSequence::update_period(std::uint32_t step) noexcept {
   step_repeats_ = step == step_ ? step_repeats_ + 1 : 1;
   step_ = step;

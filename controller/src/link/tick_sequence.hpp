@@ -10,8 +10,9 @@ namespace surefoot {
 ///
 /// Ticks count milliseconds. The period of the samples is learnt: the step between ticks that
 /// repeats. Five rising ticks in a row, all older than the newest, mean that the robot has
-/// restarted. Old ticks of the last second may also be late samples that the network delivers in a
-/// burst, so they must also arrive at the pace of the robot.
+/// restarted. Old ticks of the last second may also belong to late samples that the network
+/// delivers in a burst. So such samples must also arrive at the pace of the robot to count as a
+/// restart.
 class TickSequence {
  public:
   enum class Arrival { kNewer, kDuplicate, kReordered, kRestarted };
@@ -28,7 +29,9 @@ class TickSequence {
   Arrival classify_behind(std::uint32_t tick, std::uint32_t behind, double time) noexcept;
   void update_period(std::uint32_t step) noexcept;
 
-  static constexpr std::size_t kWindow = 1024;  // [ms]
+  // [ms] Length of the window of remembered ticks. Chosen: about 1 s. Older samples cannot be
+  // distinguished from a restart.
+  static constexpr std::size_t kWindow = 1024;
 
   bool started_ = false;
   std::uint32_t newest_tick_ = 0;
@@ -39,7 +42,7 @@ class TickSequence {
   std::uint32_t behind_tick_ = 0;        // last tick of the present row of old samples
   int behind_count_ = 0;                 // length of that row
   std::uint32_t behind_first_tick_ = 0;  // first tick of that row
-  double behind_start_time_ = 0.0;       // [s] its arrival
+  double behind_start_time_ = 0.0;       // [s] arrival time of that first tick
   std::uint64_t lost_ = 0;
 };
 

@@ -15,7 +15,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMinKd = 0.0625, kMaxKd = 50.0;  // [N.m.s/rad] range of Gains::damping_kd
+// [N.m.s/rad] Range of Gains::damping_kd. Derived: the minimum is the resolution of a frame, 1/16
+// (kDampingUnit).
+constexpr double kMinKd = 0.0625, kMaxKd = 50.0;
 
 LowCmd checked_damping(double kd) {
   if (kd >= kMinKd && kd <= kMaxKd) return damping_low_cmd(kd);
@@ -38,7 +40,7 @@ struct UdpLink::Impl {
   UdpLinkOptions options;
   UdpSocket socket;
   LowCmd damping;
-  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};  // larger, to detect long datagrams
+  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};  // room to detect long datagrams
   Frame frame, damping_frame;
   LowState state = init_low_state(), incoming = state;
   FrameExtras extras, incoming_extras;
@@ -46,7 +48,7 @@ struct UdpLink::Impl {
   LinkCounts counts;
   FrameReport last_reject;
   bool has_state = false;
-  double arrived = 0.0;  // [s] of the newest LowState, on monotonic_time()
+  double arrived = 0.0;  // [s] arrival of the newest LowState, on monotonic_time()
 };
 
 UdpLink::UdpLink(const UdpLinkOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -71,7 +73,7 @@ bool UdpLink::receive() noexcept {
   return newer;
 }
 
-// Process a datagram of the peer. Return whether it is a newer LowState.
+// Process a datagram from the peer. Return whether the datagram is a newer LowState.
 bool UdpLink::Impl::accept_datagram(std::size_t size, double time) noexcept {
   ++counts.received;
   const FrameReport report = decode_low_state(buffer.data(), std::min(size, buffer.size()),

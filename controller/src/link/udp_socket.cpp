@@ -19,8 +19,9 @@ namespace surefoot {
 
 namespace {
 
-// [bytes] About a hundred frames. When the buffer is full, the system drops new datagrams and keeps
-// old ones. So a process that stalled reads old samples first; arrival times show their age.
+// [bytes] Size of the receive buffer. Chosen: about a hundred frames. When the buffer is full, the
+// system drops new datagrams and keeps old ones. So a stalled process reads old samples first;
+// arrival times show their age.
 constexpr int kReceiveBuffer = 128 * 1024;
 
 // Return the age [s] of a datagram by the system's arrival stamp on the wall clock; 0 without a

@@ -7,9 +7,10 @@
 
 namespace surefoot {
 
-/// Compute when a datagram arrived [s], on monotonic_time(), from the age by its stamp:
+/// Return the arrival time [s] of a datagram, on monotonic_time(), computed from its age:
 ///   clamp(now - age, last_empty, now)
-/// The bounds are needed because stamps are wall-clock times, and the wall clock may step.
+/// The bounds are needed because the age comes from a wall-clock stamp, and the wall clock may
+/// step.
 /// Real-time: yes.
 /// @param now present time [s], on monotonic_time()
 /// @param age age of the datagram by its stamp [s]

@@ -7,15 +7,18 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kUnitNormTolerance = 0.05;  // of the quaternion's norm from 1
-constexpr double kMaxMagnitude = 1e4;        // in any unit
-constexpr double kMaxAngularRate = 40.0;     // [rad/s] gyroscopes saturate at 35
-constexpr double kMaxAcceleration = 200.0;   // [m/s^2] accelerometers saturate at 157
-constexpr double kJointMargin = 1.0;         // [rad] a folded calf rests outside its range
-constexpr double kSpeedFactor = 2.0;         // times the motor's no-load speed
-constexpr double kTorqueFactor = 3.0;        // times the motor's largest torque
+// Limits of plausible values. Chosen beyond what the sensor or the robot can do, with a margin.
+// Tests: test_values_beyond_the_sensor_range_are_implausible,
+// test_nearly_unit_quaternion_is_normalised.
+constexpr double kUnitNormTolerance = 0.05;  // |quaternion norm - 1|, above float rounding
+constexpr double kMaxMagnitude = 1e4;        // in any unit, beyond every field
+constexpr double kMaxAngularRate = 40.0;  // [rad/s] assumed full scale 2000 deg/s = 34.9, plus 15 %
+constexpr double kMaxAcceleration = 200.0;  // [m/s^2] assumed full scale 16 g = 157, plus 27 %
+constexpr double kJointMargin = 1.0;   // [rad] beyond the range: a folded calf rests outside it
+constexpr double kSpeedFactor = 2.0;   // times the motor's no-load speed
+constexpr double kTorqueFactor = 3.0;  // times the motor's largest torque
 
-// Keeps the worst status of all fields. The comparisons are written so that NaN fails them.
+// Check of all fields that keeps the worst status. NaN fails the comparisons.
 struct FieldCheck {
   Status status = Status::kOk;
   void operator()(double value, double lower, double upper) noexcept {

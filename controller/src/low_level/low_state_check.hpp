@@ -14,7 +14,7 @@ namespace surefoot {
 /// motor's no-load speed, torques over three times its largest torque; else kOk.
 Status check_low_state(const LowState& state, const RobotConfig& config) noexcept;
 
-/// Return whether the norm of the IMU's quaternion is 1 within 5 %. Real-time: yes.
+/// Return whether the norm of the IMU quaternion is within 5 % of 1. Real-time: yes.
 bool has_unit_quaternion(const IMU& imu) noexcept;
 
 }  // namespace surefoot

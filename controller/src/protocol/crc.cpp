@@ -5,7 +5,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::uint32_t kPolynomial = 0x04C11DB7;
+constexpr std::uint32_t kPolynomial = 0x04C11DB7;  // CRC-32 of IEEE 802.3, as in unitree_legged_sdk
 
 struct Table {
   std::array<std::uint32_t, 256> entry{};

@@ -10,8 +10,10 @@ namespace surefoot {
 
 namespace {
 
+// Counts per unit in the vendor's frames; tests/cpp/test_frames.cpp compares frames with the
+// vendor's.
 constexpr double kStiffnessUnit = 32.0, kDampingUnit = 16.0, kWholeUnit = 1.0;
-constexpr int kCellVoltageUnit = 32;  // [mV]
+constexpr int kCellVoltageUnit = 32;  // [mV] per count
 
 template <typename T>
 T load(const std::uint8_t* from) noexcept {
@@ -32,8 +34,8 @@ void record_worst(FrameReport& report, FrameStatus status, const Field& field, i
   report.motor = motor;
 }
 
-// Convert to fixed point. Truncate towards zero as the vendor's code does, but saturate where it
-// wraps around.
+// Convert to fixed point. Truncate towards zero as the vendor's code does, but saturate where the
+// vendor's code wraps around.
 template <typename T>
 T to_fixed_point(double value, double unit, FrameStatus& status) noexcept {
   if (!std::isfinite(value)) {

@@ -58,7 +58,7 @@ constexpr Field kMotorState[] = {
     {"temperature", K::kBytes, 1, offsetof(MotorState, temperature)},
     {"reserve", K::kBytes, 8, offsetof(MotorState, reserve)},
 };
-// The first twelve bytes of BmsState are copied as they are, in every generation that has it.
+// In every generation with a BmsState, its first twelve bytes are copied without conversion.
 constexpr std::size_t kBms = offsetof(LowState, bms);
 constexpr Field kBattery[] = {
     {"bms", K::kBytes, 14, kBms},

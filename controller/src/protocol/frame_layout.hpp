@@ -29,16 +29,16 @@ struct Field {
 /// Fields of one struct, or of an array of `repeat` structs.
 struct Section {
   const Field* fields;
-  int count;
+  int count;               ///< number of fields
   std::size_t offset = 0;  ///< [bytes] of the array in LowCmd or LowState
-  std::size_t stride = 0;
+  std::size_t stride = 0;  ///< [bytes] from one struct of the array to the next
   int repeat = 1;
 };
 
 /// Layout of a frame, without the CRC at its end.
 struct FrameLayout {
   std::array<Section, 5> sections;
-  int count;
+  int count;           ///< number of sections in use
   std::size_t size;    ///< [bytes] with the CRC
   bool has_header;     ///< begins with FE EF, and its levelFlag is checked
   double torque_unit;  ///< counts per N.m

@@ -30,8 +30,8 @@ FrameReport encode(const FrameLayout& layout, Generation generation, Struct mess
   return report;
 }
 
-// Check the length, and find the generation that has frames of this length if it is not the
-// expected one.
+// Check the length. If it is not the expected length, find the generation whose frames have this
+// length.
 FrameStatus check_length(std::size_t size, LayoutFunction layout_of, FrameReport& report) noexcept {
   if (layout_of(report.expected).size == size) return FrameStatus::kOk;
   for (int g = 0; g < kGenerations; ++g) {

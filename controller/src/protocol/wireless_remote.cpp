@@ -8,7 +8,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr float kMaxDeflection = 1.05F;  // of a stick; their calibration is not exact
+// Largest valid |stick value|. Chosen 5 % above 1, because the calibration of sticks is not exact;
+// larger values do not come from a stick.
+constexpr float kMaxDeflection = 1.05F;
 
 struct Stick {
   std::size_t offset;

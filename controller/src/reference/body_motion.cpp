@@ -8,11 +8,19 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kLimitHoldTime = 0.1;     // [s] without blocked axes before a limit is cleared
-constexpr double kTargetTolerance = 1e-5;  // [m], [rad] at the target, and [m/s], [rad/s] at rest
-constexpr double kFootTolerance = 1e-4;  // [m] foot displacement after which the pose is evaluated
-constexpr double kProbeStep = 1e-3;      // [m], [rad] displacement that tests an axis
-constexpr double kMaxTarget = 10.0;      // [m], [rad] bound of targets; beyond any robot's reach
+// [s] Time without blocked axes after which a limit is cleared. Chosen. Below: the status would
+// flicker between ticks; above: an operator would see an old limit.
+constexpr double kLimitHoldTime = 0.1;
+// Numerical tolerances:
+// Errors of position [m], [rad] and of velocity [m/s], [rad/s] below which the target is reached.
+constexpr double kTargetTolerance = 1e-5;
+// [m] Foot displacement above which the pose is evaluated again: ten times kTargetTolerance.
+constexpr double kFootTolerance = 1e-4;
+// [m], [rad] Displacement with which probe_axis() tests an axis: far above kTolerance of
+// StanceKinematics (1e-6 m).
+constexpr double kProbeStep = 1e-3;
+// [m], [rad] Bound of each coordinate of a target. Chosen: beyond any robot's reach.
+constexpr double kMaxTarget = 10.0;
 
 Vector6 to_vector(const BodyReference& r) noexcept {
   Vector6 v;
@@ -29,7 +37,7 @@ void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
   reach_check_.set_initial_guess(q);
   position_.setZero();
   just_latched_ = true;
-  evaluated_feet_.setConstant(kMaxTarget);
+  evaluated_feet_.setConstant(kMaxTarget);  // the next update() then evaluates the pose
   stop();
 }
 
@@ -81,8 +89,8 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   p_com_ += v_com_ * dt;
 }
 
-// Evaluate the present pose with the present feet: its violation, which the next pose must not
-// exceed, and its centre of mass.
+// Evaluate the present pose with the present feet: set the centre of mass, and the violation that
+// the next pose must not exceed.
 void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                                        const Vector3& gravity) noexcept {
   const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);
@@ -90,15 +98,16 @@ void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& fee
   evaluated_feet_ = feet;
   if (current.status.limit == ReachLimit::kUnreachable) return;
   // The latched joint angles and the inverse kinematics of the latched pose differ, because the
-  // ground normal was not known exactly at the latch. The offset keeps the body from moving by
-  // that.
+  // ground normal was not known exactly at the latch. com_offset_ compensates this difference, so
+  // that the latch does not move the body.
   if (just_latched_) com_offset_ = p_com_ - reach_check_.p_com();
   just_latched_ = false;
   p_com_ = reach_check_.p_com() + com_offset_;
 }
 
-// A pose outside the limits is acceptable if it is no worse than the present one. Otherwise feet
-// that a push has displaced could lock the body in place.
+// Return whether the body may move to a pose; if not, write the reason to limit_. A pose outside
+// the limits is acceptable if its violation does not exceed that of the present pose. Without this
+// rule, feet that a push has displaced could lock the body in place.
 bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
                             const Vector3& gravity) noexcept {
   const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + position.head<3>(),
@@ -110,7 +119,7 @@ bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const F
   return false;
 }
 
-// At a limit, test which axes may still move, one axis per tick.
+// At a limit, test one axis in each tick: may the body still move along it towards the target?
 void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                             double dt) noexcept {
   axis_ = (axis_ + 1) % 6;
@@ -123,8 +132,8 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
   limit_ = unblocked_time_ > kLimitHoldTime ? ReachStatus{} : reason;
 }
 
-// Compute the velocity straight towards the target along the free axes, limited to the allowed
-// speed and to the speed from which the body can still brake before the target.
+// Compute the velocity along a straight line to the target, with zero on blocked axes. Limit this
+// velocity to the speed gains, and to the speed from which the body can still stop at the target.
 Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
   Vector6 to_target = target_ - position_;
   for (int axis = 0; axis < 6; ++axis) {
@@ -142,6 +151,7 @@ Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
   return desired;
 }
 
+// Scale a velocity change so that the linear and the angular acceleration stay within their gains.
 Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt) const noexcept {
   const double max_change = gains.reference_acceleration * dt;
   const double max_turn_change = gains.reference_turn_acceleration * dt;
@@ -172,8 +182,8 @@ Quaternion BodyMotion::orientation_at(const Vector6& position) const noexcept {
          exp_so3(position[3] * Vector3::UnitX()) * latched_.R_base;
 }
 
-// Convert the rates of roll, pitch and yaw to an angular velocity. Yaw rotates the pitch axis, yaw
-// and pitch rotate the roll axis.
+// Convert the rates of roll, pitch and yaw to an angular velocity in the support frame. Yaw rotates
+// the pitch axis; yaw and pitch rotate the roll axis.
 Vector3 BodyMotion::angular_velocity(const Vector3& rates) const noexcept {
   const Quaternion Rz = exp_so3(position_[5] * Vector3::UnitZ());
   const Quaternion Rzy = Rz * exp_so3(position_[4] * Vector3::UnitY());

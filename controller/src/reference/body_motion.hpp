@@ -15,41 +15,47 @@ struct LatchedPose {
 
 /// Trajectory generator of the body pose, from the latched pose to a requested target.
 ///
-/// Speed and acceleration are limited by gains. In each tick ReachCheck tests the pose in which the
-/// body could come to a stop; if the robot could not stand there, the body brakes. At a limit, the
-/// axes that are still free continue. Real-time: yes.
+/// Gains limit speed and acceleration. In each tick ReachCheck tests the pose in which the body
+/// could come to a stop. If the robot cannot stand in that pose, the body brakes. At a limit, the
+/// body still moves along the axes that are not blocked. Real-time: yes.
 class BodyMotion {
  public:
   explicit BodyMotion(const Robot& robot) : reach_check_(robot) {}
 
-  /// Start at a latched pose, at rest.
-  /// @param q joint angles and base pose of the latch, shape (nq,), start of inverse kinematics
+  /// Start at rest in a latched pose.
+  /// @param p_com centre of mass at the latch, support frame [m]
+  /// @param q configuration at the latch, shape (nq,): initial guess of the inverse kinematics
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
 
   /// Return to the latched pose at once and drop the target. p_com() is unchanged until latch().
   void reset() noexcept;
 
-  /// Set the target. A target with NaN or infinity is rejected; the last one stays in force.
+  /// Set the target. A target with NaN or infinity is rejected, and the last valid target is kept.
   void set_target(const BodyReference& target) noexcept;
 
-  /// Move by one tick.
-  /// @param feet contact points @param gravity direction, unit length; both in support axes
+  /// Move the pose by one tick.
+  /// @param feet contact points, support frame [m]
+  /// @param gravity unit vector along gravity, support axes
   void update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
               double dt) noexcept;
 
+  /// Return the present pose relative to the latched pose.
   BodyReference position() const noexcept;
-  /// kNotFinite while the last target was rejected, else the limit that stops the motion.
+  /// Return kNotFinite if the last target was rejected; otherwise the limit that stops the motion,
+  /// or kNone.
   ReachStatus status() const noexcept {
     return request_rejected_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
   }
 
-  // In the support frame:
-  Vector3 p_base() const noexcept;
+  // The present pose and its derivatives, in the support frame:
+  Vector3 p_base() const noexcept;  ///< [m]
   Quaternion R_base() const noexcept;
-  const Vector3& p_com() const noexcept { return p_com_; }  ///< centre of mass in this pose
-  const Vector3& v_com() const noexcept { return v_com_; }
-  Vector3 w_base() const noexcept;      ///< [rad/s]
-  Vector3 alpha_base() const noexcept;  ///< [rad/s^2] from roll, pitch, yaw rates' change
+  const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] centre of mass in this pose
+  const Vector3& v_com() const noexcept { return v_com_; }  ///< [m/s]
+  Vector3 w_base() const noexcept;                          ///< [rad/s]
+  /// [rad/s^2] Angular acceleration from the accelerations of roll, pitch and yaw; products of
+  /// their rates are neglected.
+  Vector3 alpha_base() const noexcept;
 
  private:
   void stop() noexcept;
@@ -68,7 +74,7 @@ class BodyMotion {
 
   ReachCheck reach_check_;
   LatchedPose latched_;
-  // x, y, height, roll, pitch, yaw
+  // x, y, height, roll, pitch, yaw relative to the latched pose, and derivatives
   Vector6 target_ = Vector6::Zero(), position_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
   Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero(), com_offset_ = Vector3::Zero();
@@ -76,7 +82,7 @@ class BodyMotion {
   FeetMatrix evaluated_feet_ = FeetMatrix::Zero();
   ReachStatus limit_;
   bool request_rejected_ = false;
-  double violation_ = 0.0;         // violation of the present pose
+  double violation_ = 0.0;         // [rad] or equivalent, of the present pose (see ReachResult)
   double unblocked_time_ = 0.0;    // [s] since an axis was last blocked
   std::array<bool, 6> blocked_{};  // axes that a limit blocks
   int axis_ = 0;

@@ -7,25 +7,26 @@
 
 namespace surefoot {
 
-/// Compute the capture point of the linear inverted pendulum, p_com + v_com / omega with
-/// omega = sqrt(g / h): the ground point over which the robot would come to rest [m], world x and
-/// y. Real-time: yes.
-/// @param dv_com [m/s] added to the velocity of the centre of mass, world axes
+/// Compute the capture point of the linear inverted pendulum: world x and y [m] of the ground point
+/// over which the robot would come to rest, p_com + v_com / omega with omega = sqrt(g / h).
+/// Real-time: yes.
+/// @param dv_com velocity added to that of the centre of mass, world axes [m/s]
 /// Source: Pratt, Carff, Drakunov, Goswami 2006, "Capture point: a step toward humanoid push
 /// recovery", eq. 4.
 Eigen::Vector2d capture_point(const Dynamics& dynamics,
                               const Vector3& dv_com = Vector3::Zero()) noexcept;
 
-/// Return the support polygon: stance feet of the reference with a planned load above zero.
+/// Return the polygon of the stance feet of a reference whose planned load is above zero.
 /// Real-time: yes.
 SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& reference) noexcept;
 
-/// Compute the distance [m] from the capture point to the nearest edge of the support polygon:
-/// positive inside, negative outside, infinite with fewer than three stance feet. Real-time: yes.
-/// @param dv_com [m/s] added to the velocity of the centre of mass, world axes
+/// Compute the capture margin [m]: signed distance from the capture point to the nearest edge line
+/// of the support polygon. Positive: inside; negative: outside; +inf: fewer than three stance feet.
+/// Real-time: yes.
+/// @param dv_com velocity added to that of the centre of mass, world axes [m/s]
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
                       const Vector3& dv_com = Vector3::Zero()) noexcept;
-/// The same, with the stance feet of a reference.
+/// Compute the capture margin [m] for the feet of support_polygon().
 double capture_margin(const Dynamics& dynamics, const Reference& reference,
                       const Vector3& dv_com = Vector3::Zero()) noexcept;
 

@@ -10,19 +10,20 @@ namespace surefoot {
 
 /// Displacement of the contact points by rolling of the spherical feet within the last seconds.
 ///
-/// A loaded foot of radius r rotates with its shank, and its contact point moves at r w x n without
-/// slip (w: angular velocity of the shank, n: ground normal). This is about a tenth of the body's
-/// displacement. The displacement decays within seconds, because a robot that leans permanently
-/// stands on its new contact points. It is bounded, because w has the gyroscope's errors.
-/// Real-time: yes.
+/// A loaded foot of radius r rotates with its shank. Without slip, its contact point then moves
+/// with velocity r (w x n), w: angular velocity of the shank, n: ground normal. The displacement is
+/// about a tenth of the body's displacement. It decays within seconds: when the robot
+/// leans for longer, its present contact points become the reference. The displacement is bounded,
+/// because w contains the errors of the gyroscope. Real-time: yes.
 class FootRolling {
  public:
   explicit FootRolling(double radius) noexcept : radius_(radius) {}
 
   void reset() noexcept { displacement_.setZero(); }
 
-  /// Integrate one tick.
-  /// @param contact contact confidence per foot, 0 .. 1; scales the rolling
+  /// Integrate the rolling of one tick.
+  /// @param normal ground normal, unit length, world axes
+  /// @param contact contact confidence per foot, 0 .. 1; the rolling of a foot is scaled by it
   void update(const Dynamics& dynamics, const Vector3& normal, const Eigen::Vector4d& contact,
               double dt) noexcept {
     displacement_ *= 1.0 - dt / (dt + kDecayTime);
@@ -38,8 +39,12 @@ class FootRolling {
   }  ///< [m] FR FL RR RL, world axes
 
  private:
-  static constexpr double kDecayTime = 2.0;  // [s] much longer than a reaction to a push
-  static constexpr double kMaxAngle = 0.4;   // [rad] shanks rotate less under survivable pushes
+  // [s] Time constant of the decay. Chosen. Below: the reaction to a push, some tenths of a second;
+  // above: a robot that leans should refer to its present contact points.
+  static constexpr double kDecayTime = 2.0;
+  // [rad] Largest rotation of a foot that counts. Chosen. Below: rotation of the shanks in
+  // survivable pushes; above: errors of the gyroscope add up.
+  static constexpr double kMaxAngle = 0.4;
 
   double radius_;
   FeetMatrix displacement_ = FeetMatrix::Zero();

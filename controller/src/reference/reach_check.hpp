@@ -15,23 +15,26 @@ struct ReachResult {
 
 /// Checks whether the robot can stand with its base in a given pose, in the support frame.
 ///
-/// Inverse kinematics must reach all feet. Each joint must be reach_joint_margin inside its limits,
-/// each foot reach_foot_depth below its hip axis, and the centre of mass, projected along gravity,
-/// reach_support_margin inside the support polygon. In standing this replaces self-collision
-/// constraints: legs do not collide while their feet stay in place and their joints in range. With
-/// recovery steps (gain foot_step) they may. Real-time: yes.
+/// Inverse kinematics must reach all feet. Each joint must be at least reach_joint_margin inside
+/// its limits. Each foot must be at least reach_foot_depth below its hip axis. The centre of mass,
+/// projected along gravity, must be at least reach_support_margin inside the support polygon.
+///
+/// In standing, these conditions replace self-collision constraints: legs do not collide while
+/// their feet stay in place and their joints in range. During recovery steps (gain foot_step > 0)
+/// legs may collide; ReachCheck does not cover them. Real-time: yes.
 class ReachCheck {
  public:
   explicit ReachCheck(const Robot& robot) : robot_(robot), kinematics_(robot) {}
 
   void set_initial_guess(const Eigen::VectorXd& q) noexcept { kinematics_.set_initial_guess(q); }
 
-  /// Evaluate a pose.
-  /// @param feet contact points @param gravity direction, unit length; both in support axes
+  /// Evaluate a pose of the base in the support frame.
+  /// @param feet contact points, support frame [m]
+  /// @param gravity unit vector along gravity, support axes
   ReachResult evaluate(const Gains& gains, const Vector3& p_base, const Quaternion& R_base,
                        const FeetMatrix& feet, const Vector3& gravity) noexcept;
 
-  /// Centre of mass [m] of the last evaluated pose that was not kUnreachable.
+  /// Centre of mass [m], support frame, of the last evaluated pose that was not kUnreachable.
   const Vector3& p_com() const noexcept { return kinematics_.p_com(); }
 
  private:

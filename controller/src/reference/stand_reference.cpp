@@ -9,9 +9,13 @@ namespace surefoot {
 
 namespace {
 
+// Chosen; covered by tests/closed_loop/test_external_lifts.py and test_stand_reference.cpp.
 constexpr double kAirborneTime = 0.2;  // [s] time constant of airborne_share_
-constexpr double kLiftedShare = 0.8;   // airborne share from which the robot counts as lifted
-// Share of the standing height by which airborne legs extend further.
+// Airborne share above which the robot counts as lifted, after 0.32 s in the air. Below: a fall
+// from 10 cm, which lasts 0.14 s; above: legs stay stretched while a person holds the robot.
+constexpr double kLiftedShare = 0.8;
+// Extra extension of airborne legs, as a share of the standing height. Below: no joint range left
+// to brake a landing; above: legs are nearly straight.
 constexpr double kAirborneExtension = 0.15;
 
 }  // namespace
@@ -49,7 +53,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   three_leg_stance_.update(support_.nominal_feet(), motion_.p_com(), dt);
   update_airborne_share(contact, dt);
   Vector3 p_base = motion_.p_base();
-  p_base.z() *= 1.0 + kAirborneExtension;  // leaves travel to brake a landing
+  // In the air, extend the legs: extended legs have more joint range to brake a landing.
+  p_base.z() *= 1.0 + kAirborneExtension;
   support_.follow_body(dynamics.p_world_base(), p_base, airborne_share_);
 
   reference_.p_com = support_.origin() + R * (motion_.p_com() + three_leg_stance_.com_offset());
@@ -70,8 +75,9 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   return reference_;
 }
 
-// Set the desired motion of a lost leg's foot to its measured motion. Otherwise the QP would count
-// on a reaction force from accelerating a leg that cannot follow.
+// Set the desired motion of a lost leg's foot to its measured motion. Otherwise the QP would
+// accelerate the lost leg, for example to get a reaction force on the trunk. The leg has no torque,
+// so this force would not exist.
 void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   FootReference& foot = reference_.feet[leg];
   foot.stance = false;
@@ -80,8 +86,9 @@ void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   foot.v_world = dynamics.legs()[leg].v_world_contact;
 }
 
-// The share rises slowly, so that feet that lag behind are not accelerated abruptly; it falls at
-// once on contact.
+// The share is above 0 only while the contact confidences add up to less than one foot. The share
+// rises slowly, because a fast rise would move the desired feet away from the real ones and
+// accelerate the legs abruptly. On contact the share falls at once.
 void StandReference::update_airborne_share(const Eigen::Vector4d& contact, double dt) noexcept {
   const double in_air = std::clamp(1.0 - contact.sum(), 0.0, 1.0);
   const double filtered = airborne_share_ + dt / (dt + kAirborneTime) * (in_air - airborne_share_);

@@ -10,20 +10,24 @@
 
 namespace surefoot {
 
-/// Reference for standing: holds the body in its latched pose, or in the pose that a BodyReference
-/// requests relative to it.
+/// Reference for standing: the latched pose of the body, or a pose that a BodyReference requests
+/// relative to the latched pose.
 ///
-/// Base pose, centre of mass and nominal foot positions are kept in the support frame. The joint
-/// angles determine this frame, apart from the rolling of the feet in the last seconds. Slow errors
-/// of the IMU move the frame and the body together, so they cannot make the robot lean. While no
-/// foot is loaded, the frame follows the body, and the legs of a lifted robot return to the
-/// standing pose. Close to a support edge the feet step, see RecoverySteps. Real-time: yes.
+/// Base pose, centre of mass and nominal foot positions are kept in the support frame, which is
+/// fitted to the feet. Where the frame is relative to the body depends only on the joint angles
+/// and, for a few seconds, on the rolling of the feet. Slow errors of the IMU move frame and body
+/// together, so these errors cannot make the robot lean.
+///
+/// While no foot is loaded, the frame follows the body, and the legs of a lifted robot return to
+/// the standing pose. When the capture point is near a support edge, feet step (RecoverySteps).
+/// Real-time: yes.
 class StandReference {
  public:
   explicit StandReference(const Robot& robot)
       : motion_(robot), foot_rolling_(robot.config().foot_radius) {}
 
-  /// Latch the present pose. @param q configuration, shape (nq,)
+  /// Latch the present pose.
+  /// @param q configuration, shape (nq,)
   void latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept;
 
   void reset() noexcept {
@@ -33,12 +37,13 @@ class StandReference {
     recovery_steps_.reset();
     airborne_share_ = 0.0;
   }
-  /// Declare a leg lost until reset(): its foot carries no load.
+  /// Declare a leg lost until reset(): the reference plans no load for its foot.
   void give_up_leg(int leg) noexcept { three_leg_stance_.give_up_leg(leg); }
   int lost_leg() const noexcept { return three_leg_stance_.lost_leg(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
-  /// Compute the reference of this tick in the present world frame.
+  /// Compute the reference of this tick in the estimator's world frame.
+  /// @param contact_confidence FR FL RR RL, 0 .. 1
   const Reference& update(const Gains& gains, const Dynamics& dynamics,
                           const Eigen::Vector4d& contact_confidence, double dt) noexcept;
 
@@ -54,7 +59,8 @@ class StandReference {
   FootRolling foot_rolling_;
   RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
-  double airborne_share_ = 0.0;  // share by which the frame follows the body
+  // 0: a foot is loaded, 1: long in the air; also the share by which the frame follows the body.
+  double airborne_share_ = 0.0;
   Reference reference_;
 };
 

@@ -8,18 +8,24 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kGroundTime = 0.5;  // [s] time constant of the ground normal
-// [s] after the latch in which the normal follows without delay: the estimator's attitude is still
-// converging, and its corrections must not move the body.
+// [s] Time constant of the ground normal. Chosen. Below: foot motion by a push of 0.1 s, which is
+// no slope; above: ground that tilts under the robot (surefoot.sim moving_ground).
+constexpr double kGroundTime = 0.5;
+// [s] Time after the latch in which the ground normal follows the feet without delay. The
+// estimator's attitude still converges in this time, and its corrections must not move the body.
+// Chosen with robots that are handed over on slopes (git a8e6a2e).
 constexpr double kInitialTime = 0.15;
-constexpr double kNominalFootTime = 0.5;  // [s] time constant of the nominal foot positions
-// [m^2] Keeps the normal where the feet in contact do not determine it.
+// [s] Time constant of the nominal foot positions. Chosen as kGroundTime.
+constexpr double kNominalFootTime = 0.5;
+// [m^2] Regularisation that keeps the old tilt about axes for which the feet in contact do not
+// determine it. Numerical: small against the spread of the feet, about 0.02 m^2 (0.15 m each).
 constexpr double kSlopeRegularisation = 1e-4;
-// [m^2] The same for update_nominal_feet(), where only the residual of the fit counts.
+// [m^2] Regularisation in update_nominal_feet(), which uses only the residual of the fit.
+// Numerical: small against the same spread.
 constexpr double kDetrendRegularisation = 1e-6;
 
-// Compute the heading about z of the line from the centre of the rear feet to that of the front
-// feet.
+// Compute the heading [rad] of the line from the centre of the rear feet to the centre of the front
+// feet: its angle about z from the x axis.
 double heading(const FeetMatrix& p) noexcept {
   const Vector3 forward = p.col(FR_) + p.col(FL_) - p.col(RR_) - p.col(RL_);
   return std::atan2(forward.y(), forward.x());
@@ -29,8 +35,8 @@ Matrix3 rotation_z(double angle) noexcept {
   return exp_so3(angle * Vector3::UnitZ()).toRotationMatrix();
 }
 
-// Fit the two slopes of the heights over x and y of d by weighted least squares; both inputs have
-// zero weighted mean.
+// Return the slopes s that fit heights = s^T xy best, by weighted least squares; xy are the first
+// two rows of `d`. The columns of `d` and the heights must have zero weighted mean.
 Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
                       const Eigen::Vector4d& weight, double regularisation) noexcept {
   Eigen::Matrix2d S = regularisation * Eigen::Matrix2d::Identity();
@@ -53,10 +59,10 @@ Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
 void SupportFrame::latch(const FeetMatrix& p) noexcept {
   time_since_latch_ = 0.0;
   origin_ = p.rowwise().mean();
-  // Normal to both diagonals: that of the plane closest to the four points.
+  // The plane parallel to both diagonals of the feet is the plane closest to the four points.
   const Vector3 normal = (p.col(FL_) - p.col(RR_)).cross(p.col(RL_) - p.col(FR_));
   R_ = rotation_z(heading(p));
-  // Feet in one line span no plane: then keep the vertical.
+  // Feet in one line span no plane: keep the vertical in this case.
   if (normal.norm() > 1e-3 && normal.z() > 0.0) R_ = aligned(R_, normal.normalized());
   nominal_feet_ = R_.transpose() * (p.colwise() - origin_);
   const Matrix3 turn = rotation_z(heading(nominal_feet_));
@@ -79,7 +85,8 @@ void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, d
   update_nominal_feet(p, contact, weight, dt);
 }
 
-// Rotate the normal towards the slopes that fit the nominal heights to those of the feet.
+// Tilt the frame by `blend` times the tilt that best fits the nominal heights of the feet to the
+// measured heights.
 void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
                                  const Eigen::Vector4d& weight, double blend) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
@@ -89,7 +96,8 @@ void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& 
   R_ = aligned(R_, R_ * (Vector3::UnitZ() + blend * (normal - Vector3::UnitZ())).normalized());
 }
 
-// Rotate about z to the best fit of the nominal positions to the feet (planar Procrustes problem).
+// Rotate the frame about z so that the nominal positions fit the feet best (planar Procrustes
+// problem).
 void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
                                   const Eigen::Vector4d& weight) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
@@ -101,10 +109,11 @@ void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix&
   R_ = R_ * rotation_z(std::atan2(sine, cosine));
 }
 
-// Move the nominal positions towards the feet, and the frame so that they keep their centroid at
-// the origin and their heading. A tilt that all feet share comes from the IMU or the ground and
-// belongs to update_normal(); it is removed here, because the nominal positions would keep a part
-// of it.
+// Move the nominal positions towards the feet. Then move the frame so that the centroid of the
+// nominal positions stays at the origin and their heading along x.
+//
+// A common tilt of all feet comes from the IMU or the ground, and update_normal() corrects it. This
+// tilt is removed here first, because the nominal positions would absorb a part of it.
 void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
                                        const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);

@@ -5,33 +5,38 @@
 
 namespace surefoot {
 
-/// Support frame: the frame that standing refers to. Its origin is the centroid of the feet, x
-/// points from the centre of the rear feet to that of the front feet, z along the normal of their
-/// plane.
+/// Frame of the stance feet, in which the reference for standing is kept.
 ///
-/// World x, y and yaw of a legged robot drift. A reference fixed in the world would slowly move the
-/// body off its feet; the stance feet do not drift. Each foot has a nominal position in the frame.
-/// The frame is the weighted least-squares fit of these positions to the measured feet, with the
-/// contact confidences as weights. The nominal position of a loaded foot follows the foot slowly.
-/// Real-time: yes.
+/// The origin is the centroid of the nominal foot positions. The x axis points from the centre of
+/// the rear feet to the centre of the front feet, the z axis along the normal of their plane.
+///
+/// The estimated x, y and yaw of a legged robot drift in the world frame. A reference that is fixed
+/// in the world frame would slowly move the body off its feet. So each foot has a nominal position
+/// in the support frame, and the frame is the weighted least-squares fit of these positions to the
+/// measured feet. The weights are the contact confidences. The nominal position of a loaded foot
+/// follows the foot slowly. Real-time: yes.
 class SupportFrame {
  public:
-  /// Latch the present feet as nominal positions; assumes that all feet stand.
+  /// Latch the present feet as nominal positions. All feet must stand on the ground.
+  /// @param p_world_feet contact points, FR FL RR RL, world frame [m]
   void latch(const FeetMatrix& p_world_feet) noexcept;
 
-  /// Fit the frame to the feet. @param contact contact confidence per foot, 0 .. 1
+  /// Fit the frame to the feet.
+  /// @param p_world_feet contact points, FR FL RR RL, world frame [m]
+  /// @param contact contact confidence per foot, 0 .. 1
   void update(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, double dt) noexcept;
 
-  /// Move the origin towards the body, for a robot in the air, whose feet have no ground to refer
-  /// to.
-  /// @param p_support_body desired position of the body in the frame
-  /// @param share share of the displacement, 0 .. 1
+  /// Move the origin with the body while the robot is in the air and no foot determines the frame.
+  /// @param p_world_body measured position of the body, world frame [m]
+  /// @param p_support_body desired position of the body, support frame [m]
+  /// @param share 0: the origin stays; 1: the body is at p_support_body afterwards
   void follow_body(const Vector3& p_world_body, const Vector3& p_support_body,
                    double share) noexcept {
     origin_ += share * (p_world_body - R_ * p_support_body - origin_);
   }
 
-  /// Move a nominal foot position. @param displacement world axes [m]
+  /// Move a nominal foot position.
+  /// @param displacement world axes [m]
   void move_nominal_foot(int leg, const Vector3& displacement) noexcept {
     nominal_feet_.col(leg) += R_.transpose() * displacement;
   }

@@ -10,26 +10,28 @@ namespace surefoot {
 /// Polygon of the stance feet, seen from above. Real-time: yes.
 class SupportPolygon {
  public:
-  /// @param feet contact points, FR FL RR RL; x and y are used
+  /// @param feet contact points, FR FL RR RL [m]; only x and y are used
+  /// @param stance true for each foot that is a corner of the polygon
   SupportPolygon(const FeetMatrix& feet, const std::array<bool, kLegs>& stance) noexcept;
 
-  /// Return whether there are at least three feet.
+  /// Return whether the polygon has at least three corners.
   bool is_valid() const noexcept { return count_ >= 3; }
 
   int edge_count() const noexcept { return is_valid() ? count_ : 0; }
   struct Edge {
-    Eigen::Vector2d outward;  ///< unit length, away from the polygon
-    double margin;            ///< [m] distance of the point from it; negative outside
+    Eigen::Vector2d outward;  ///< normal of the edge, unit length, away from the polygon
+    double margin;  ///< [m] distance of edge()'s point from the edge line; negative: point outside
   };
-  /// Compute edge k, 0 .. edge_count() - 1, and the margin of a point to it.
+  /// Compute the normal of edge k, 0 .. edge_count() - 1, and the margin of a point to this edge.
   Edge edge(int k, const Eigen::Vector2d& point) const noexcept;
 
-  /// Compute the smallest margin [m] of a point to all edges; negative outside, 0 unless
-  /// is_valid().
+  /// Compute the smallest margin [m] of a point to any edge. Negative: the point is outside; 0 if
+  /// is_valid() is false.
   double margin(const Eigen::Vector2d& point) const noexcept;
 
-  /// Compute the displacement [m] to a point from the nearest point of the polygon, or of the line
-  /// between two feet; zero inside, and with fewer than two feet.
+  /// Compute the vector [m] from the nearest point of the polygon to `point`. With two feet the
+  /// polygon is the segment between them. Zero if `point` is inside or there are fewer than two
+  /// feet.
   Eigen::Vector2d displacement_outside(const Eigen::Vector2d& point) const noexcept;
 
  private:

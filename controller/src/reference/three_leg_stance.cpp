@@ -7,13 +7,19 @@ namespace surefoot {
 
 namespace {
 
-// Distance to keep from the long edge, as a share of the triangle's inradius.
+// Chosen; covered by tests/closed_loop/test_lost_leg.py.
+// Distance that the centre of mass keeps from the long edge of the support triangle (the diagonal
+// between the neighbours of the lost leg), as a share of the triangle's inradius. Below: the robot
+// tips over this edge; above: 1, where the body moves farthest and the legs have the least reach.
 constexpr double kInradiusShare = 0.5;
-constexpr double kShiftTime = 0.2;  // [s] time constant of the shift
+// [s] Time constant of the shift. Below: a jerk of the body; above: the fall over the long edge,
+// with a time constant of sqrt(h / g) = 0.17 s at 0.3 m.
+constexpr double kShiftTime = 0.2;
 
 }  // namespace
 
-// The body stands near the edge between the lateral and the longitudinal neighbour of the lost leg.
+// In four-legged stance the centre of mass is near the diagonal between the lateral and the
+// longitudinal neighbour of the lost leg. Compute the shift from there into the support triangle.
 void ThreeLegStance::update(const FeetMatrix& nominal_feet, const Vector3& p_com,
                             double dt) noexcept {
   if (lost_leg_ == kNone) return;

@@ -17,11 +17,11 @@ class ThreeLegStance {
     lost_leg_ = kNone;
     com_offset_.setZero();
   }
-  int lost_leg() const noexcept { return lost_leg_; }  ///< or kNone
+  int lost_leg() const noexcept { return lost_leg_; }  ///< 0 .. 3; kNone: no leg is lost
 
-  /// Update the shift.
-  /// @param nominal_feet nominal foot positions, support axes [m]
-  /// @param p_com desired centre of mass of four-legged stance, support axes [m]
+  /// Update the shift by one tick; without a lost leg nothing changes.
+  /// @param nominal_feet nominal foot positions, support frame [m]
+  /// @param p_com desired centre of mass in four-legged stance, support frame [m]
   void update(const FeetMatrix& nominal_feet, const Vector3& p_com, double dt) noexcept;
 
   /// Shift of the desired centre of mass, support axes [m].

@@ -9,15 +9,17 @@ namespace surefoot {
 /// Share of RobotConfig::friction that the contact force of each foot may use.
 ///
 /// The ground may have less friction than RobotConfig::friction, and feet that use the whole
-/// friction cone would then slip. So 30 % are kept in reserve. The reserve is used when the capture
-/// point, now or after 0.1 s more of the present external force, is near a support edge. It is
-/// released at once and withdrawn within 0.1 s, because contact forces must not step.
-/// Real-time: yes.
+/// friction cone would then slip. So the share is 0.7 while the capture point is far inside the
+/// support polygon, and rises to 1 as the capture point approaches a support edge. Two capture
+/// points count: the present one, and the one after 0.1 s more of the present external force. The
+/// share rises at once. It falls back within 0.1 s, because a sudden fall would make the contact
+/// forces jump. Real-time: yes.
 class UsableFriction {
  public:
-  /// Compute the share of this tick.
-  /// @param mass [kg] of the robot
-  /// @return FR FL RR RL, 0 .. 1, at most state.friction
+  /// Compute the shares of this tick.
+  /// @param mass mass of the robot [kg]
+  /// @return share of RobotConfig::friction for each foot, FR FL RR RL, 0 .. 1; never above
+  /// state.friction, the share that the estimator allows
   Eigen::Vector4d update(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass, double dt) noexcept;
   void reset() noexcept { share_ = 1.0; }

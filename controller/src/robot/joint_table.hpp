@@ -10,7 +10,7 @@ namespace surefoot {
 /// One joint of the QP: its indices and limits, in SI units.
 struct JointRow {
   int v = 0;       ///< index in v
-  int q = -1;      ///< index in q; -1: no single angle to limit or to hold
+  int q = -1;      ///< index in q; -1: the joint has no single angle
   int motor = -1;  ///< SDK motor, or -1 for a further joint
   int group = 0;   ///< leg 0 .. 3; 4 for further joints
   double q_lower = 0.0, q_upper = 0.0, dq_max = 0.0, tau_max = 0.0, q_standing = 0.0;

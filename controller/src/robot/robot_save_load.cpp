@@ -124,7 +124,7 @@ void read_config(const std::string& path, std::istream& in, RobotConfig& config)
   }
 }
 
-// Cut the checksum line off the end and compare it.
+// Remove the checksum line from the end of `content` and compare the checksum.
 void check_integrity(const std::string& path, std::string& content) {
   const std::size_t cut = content.rfind("\nchecksum ");
   if (cut == std::string::npos) fail(path, "the end is missing (no checksum line)");

@@ -17,7 +17,8 @@ class Mailbox {
   }
 
   /// Take the message out. Never waits. Real-time: yes.
-  /// @return false if there is none, or another thread is writing one: try again in the next tick
+  /// @return false if there is no message, or if another thread is writing one: try again in the
+  ///   next tick
   bool take(T& message) noexcept {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
     if (!lock.owns_lock() || !has_message_) return false;

@@ -17,7 +17,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPriority = 80;  // below the kernel's threads, above ordinary ones
+// SCHED_FIFO priority, 1 .. 99. Chosen below the kernel's threads (99) and above the kernel's
+// threaded interrupts (50).
+constexpr int kPriority = 80;
 
 timespec to_timespec(double seconds) noexcept {
   timespec t;

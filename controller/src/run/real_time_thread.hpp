@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-/// Real-time priority and locked memory for the calling thread, as far as the system permits. The
-/// destructor releases both. Real-time: no.
+/// Scope in which the calling thread has real-time priority and locked memory, as far as the system
+/// permits. The destructor releases both. Real-time: no.
 class RealTimeScope {
  public:
   RealTimeScope();
@@ -14,16 +14,18 @@ class RealTimeScope {
   RealTimeScope(const RealTimeScope&) = delete;
   RealTimeScope& operator=(const RealTimeScope&) = delete;
 
-  const std::string& scheduling() const noexcept { return scheduling_; }  ///< obtained, in words
-  const std::string& memory() const noexcept { return memory_; }          ///< obtained, in words
+  /// Return the scheduling obtained, in words.
+  const std::string& scheduling() const noexcept { return scheduling_; }
+  /// Return the memory locking obtained, in words.
+  const std::string& memory() const noexcept { return memory_; }
 
  private:
   bool scheduled_ = false, locked_ = false;
   std::string scheduling_, memory_;
 };
 
-/// Timer with absolute deadlines, one period apart. Missed periods are left out: ticks never run
-/// back to back to catch up. Real-time: yes.
+/// Timer with absolute deadlines, one period apart. The timer skips missed periods, so ticks never
+/// run back to back to catch up. Real-time: yes.
 class PeriodicTimer {
  public:
   /// @param period [s]
@@ -31,7 +33,7 @@ class PeriodicTimer {
 
   /// Sleep until the next deadline. @return delay from the deadline to waking up [us]
   double wait() noexcept;
-  long missed() const noexcept { return missed_; }  ///< periods left out
+  long missed() const noexcept { return missed_; }  ///< number of periods skipped
 
  private:
   double period_, next_deadline_;

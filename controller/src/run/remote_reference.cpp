@@ -7,9 +7,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kForward = 0.04, kSideways = 0.03, kHeight = 0.03;  // [m] at full deflection
-constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad] at full deflection
-constexpr float kDeadZone = 0.05F;                                   // of full deflection
+// Displacements at full deflection. Chosen large enough for an operator to see; ReachCheck limits
+// them on every robot.
+constexpr double kForward = 0.04, kSideways = 0.03, kHeight = 0.03;  // [m]
+constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad]
+// Dead zone, as a share of full deflection. Chosen above the offset of a released stick.
+constexpr float kDeadZone = 0.05F;
 
 double beyond_dead_zone(float stick) noexcept { return std::abs(stick) > kDeadZone ? stick : 0.0; }
 

@@ -8,7 +8,8 @@
 
 namespace surefoot {
 
-/// Detector of a silent robot, as opposed to a machine that stalled. Real-time: yes.
+/// Detector of a robot that sends no samples. A stall of this machine does not count as silence.
+/// Real-time: yes.
 class SilenceDetector {
  public:
   /// Record that a sample was used. @param time of the loop [s] @param tick its LowState::tick
@@ -44,12 +45,16 @@ class SilenceDetector {
   }
 
  private:
-  static constexpr double kMinListeningTime = 0.007;     // [s]
-  static constexpr double kMaxRecoverableSilence = 0.1;  // [s] longest before control resumes
+  // [s] Shortest listening time before silence counts. Chosen: four ticks of the loop at 500 Hz
+  // (git 09dfc10). In a shorter time, a sample could still wait in the socket. Upper limit:
+  // test_silent_robot_is_stale_within_60_ms_at_every_rate.
+  static constexpr double kMinListeningTime = 0.007;
+  // [s] Longest silence after which control resumes. Equal to kRobotWatchdogTime.
+  static constexpr double kMaxRecoverableSilence = 0.1;
 
-  double listening_time_ = 0.0;    // [s] without a sample, in which this process ran
+  double listening_time_ = 0.0;    // [s] time that this process ran without a sample
   double last_sample_time_ = 0.0;  // [s] when the last sample was used
-  std::uint32_t last_tick_ = 0;    // of that sample
+  std::uint32_t last_tick_ = 0;    // LowState::tick of that sample
 };
 
 }  // namespace surefoot

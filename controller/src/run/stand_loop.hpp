@@ -9,8 +9,8 @@
 
 namespace surefoot {
 
-/// One tick of a StandRunner: receives samples, chooses the command to send, and keeps the reason.
-/// It has no clock of its own.
+/// Body of a StandRunner's loop: receives samples, chooses the command to send, and records why the
+/// robot damps or the run ends. It reads no clock: the caller passes the time.
 ///
 /// The Supervisor decides what the robot does. The loop decides whether the link to the robot
 /// works, and when the run ends.
@@ -74,7 +74,7 @@ class StandLoop {
   Vector12 tau_max_;  // [N.m]
   LowCmd damping_;    // sent before the first LowState, and at the end
   Gains gains_;
-  BodyReference requested_pose_;  // without the part of the remote's sticks
+  BodyReference requested_pose_;  // without the offsets from the remote's sticks
   Mailbox<Gains> gains_mailbox_;
   Mailbox<BodyReference> reference_mailbox_;
   SilenceDetector silence_detector_;
@@ -83,11 +83,11 @@ class StandLoop {
   RunSnapshot snapshot_;
   RunLog log_;
   double last_driven_time_ = -1.0;      // [s] when motors were last driven; negative: never
-  double duration_start_ = -1.0;        // [s] when the duration began; negative: it has not
+  double duration_start_ = -1.0;        // [s] when RunOptions::duration began; negative: not yet
   std::uint64_t counted_restarts_ = 0;  // restarts of the robot already handled
   std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // samples already counted by the supervisor
   bool phase_changed_ = false;
-  bool stood_as_requested_ = false;  // it stands, or has lain down on request
+  bool stood_as_requested_ = false;  // the robot stands, or has lain down on request
   std::atomic<bool> stop_requested_{false}, damp_requested_{false}, finish_requested_{false};
   std::atomic<std::uint64_t> refused_rearms_{0};
 };

@@ -14,8 +14,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFinalDampingTime = 0.2;  // [s] of damping frames at the end, as UDP may lose some
-constexpr double kPublishPeriod = 0.05;    // [s] between published snapshots
+// [s] Duration of the damping frames at the end of a run. They are repeated because UDP may lose
+// some. Derived: twice kRobotWatchdogTime.
+constexpr double kFinalDampingTime = 0.2;
+// [s] Time between published snapshots. Chosen: fast enough for an operator to watch. Each snapshot
+// costs the loop a copy.
+constexpr double kPublishPeriod = 0.05;
 
 /// Flag that is set while the loop runs, and cleared also if an exception ends it.
 class RunningFlag {

@@ -4,7 +4,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRounding = 1e-9;  // [s] for sums of periods, which are whole milliseconds
+constexpr double kRounding = 1e-9;  // [s] numerical: sums of periods, which are whole milliseconds
 }
 
 const LowCmd& CommandHold::accept(const LowCmd& command) noexcept {

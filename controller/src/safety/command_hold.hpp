@@ -9,28 +9,29 @@ namespace surefoot {
 /// Command hold: continues for a short time without a good command, then latches damping.
 ///
 /// Until kHoldTime after the last good command, it repeats the last command or passes on a fallback
-/// command. The motors damp by themselves (Kd > 0, dq = 0), so damping continues if this process
-/// dies. Before the first good command it damps without latching. Real-time: yes.
+/// command. In damping, the motor drivers brake by themselves (Kd > 0, dq = 0), so damping
+/// continues if this process dies. Before the first good command it damps without latching.
+/// Real-time: yes.
 class CommandHold {
  public:
-  /// Return the good command of this tick; its age is 0.
+  /// Store and return the good command of this tick. The age becomes 0.
   const LowCmd& accept(const LowCmd& command) noexcept;
 
-  /// Return the command of a tick without a good one: the last command until kHoldTime after the
-  /// last good one, then damping, latched.
+  /// Return the command of a tick without a good command: the last command until kHoldTime after
+  /// the last good command, then damping, latched.
   /// @param elapsed duration of this tick [s]
   /// @param damping_kd Kd of damping [N.m.s/rad]
   const LowCmd& repeat_or_damp(double elapsed, double damping_kd) noexcept;
 
-  /// Do the same with a fallback command, computed from the present state, instead of the last
-  /// command.
+  /// Do the same as repeat_or_damp(), but return `command` instead of the last command: a fallback
+  /// command that was computed from the present state.
   const LowCmd& substitute(const LowCmd& command, double elapsed, double damping_kd) noexcept;
 
   /// Return damping without latching it, for a period without a sample. The age of the last good
   /// command does not change.
   const LowCmd& damp(double damping_kd) noexcept;
 
-  double age() const noexcept { return age_; }  ///< [s] of ticks since the last good command
+  double age() const noexcept { return age_; }  ///< [s] time since the last good command
   const LowCmd& last() const noexcept { return command_; }  ///< last command returned
   bool latched() const noexcept { return latched_; }
   /// Return whether a good command was accepted and damping is not latched.
@@ -41,7 +42,7 @@ class CommandHold {
   LowCmd command_ = init_low_cmd();
   bool has_command_ = false;
   bool latched_ = false;
-  double age_ = 0.0;  // [s] of the last good command
+  double age_ = 0.0;  // [s] age of the last good command
 };
 
 }  // namespace surefoot

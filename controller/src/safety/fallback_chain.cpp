@@ -12,7 +12,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kShareIterations = 10;  // the wrench once, then what clamping lost
+// Number of iterations: the first distributes the wrench, the others what clamping lost. Chosen:
+// enough for feet at their friction cones, and short compared with a tick.
+constexpr int kShareIterations = 10;
 
 Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double friction,
                       double normal_max) noexcept {
@@ -110,7 +112,8 @@ bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state
     const double dq = state.v[robot_.motor_to_v()[i]];
     clipped[i] = within_motor_limits(config, i, torques[i], dq, torque_share_[i]);
   }
-  // The comparison is false for NaN. Clipping makes infinities finite, so check before it too.
+  // Clipping makes infinities finite, so check the torques before clipping too. The comparison
+  // below is false for NaN.
   if (!torques.allFinite() || !(clipped.array().abs() <= config.tau_max.array()).all()) {
     return false;
   }

@@ -15,21 +15,21 @@ struct PlannedForces {
   FeetWrench wrench{Vector3::Zero(), Vector3::Zero()};
 };
 
-/// Levels of the fallback chain that need no QP: torques computed from the present state if both
-/// solves have failed.
+/// Levels of the fallback chain that need no QP. They compute torques from the present state after
+/// both solves have failed.
 ///
-/// They start from the contact forces of the last solution and ignore custom tasks. CommandHold
-/// limits how long they may act. Real-time: yes.
+/// The levels ignore custom tasks. CommandHold limits how long their commands may act. Real-time:
+/// yes.
 class FallbackChain {
  public:
   explicit FallbackChain(const Robot& robot)
       : robot_(robot), unloaded_state_(robot.nq(), robot.nv()) {}
 
-  /// Store the forces of a solved tick, and the wrench that the body tasks desired in it.
+  /// Store the forces of a solved tick, and the contact wrench that its body tasks required.
   void remember(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                 const Reference& reference, const FeetMatrix& forces) noexcept;
 
-  /// Compute the torques of the first level that gives twelve finite ones:
+  /// Compute the torques of the first level that gives twelve finite torques:
   ///   kForces:     tau = h_leg - J_leg^T f, where f are the forces of the last solution plus the
   ///                change of the desired wrench since then, shared by add_wrench(). So torques
   ///                do not jump while constraints are active. Without a last solution, f
@@ -56,7 +56,7 @@ class FallbackChain {
   bool try_torques(const Vector12& torques, const RobotState& state) noexcept;
 
   Robot robot_;
-  RobotState unloaded_state_;  // no external wrench
+  RobotState unloaded_state_;  // state without external wrench
   PlannedForces last_solution_;
   bool has_last_solution_ = false;
   Vector12 torque_share_ = Vector12::Ones();
@@ -71,11 +71,12 @@ struct ForceCones {
   Eigen::Vector4d normal_max;  ///< [N]
 };
 
-/// Change contact forces so that their wrench about the centre of mass changes by `wrench_change`:
+/// Add to contact forces the smallest changes df_i that change the wrench about the centre of mass
+/// by `wrench_change`:
 ///   minimise    sum |df_i|^2 / share_i
 ///   subject to  sum df_i = force,  sum (p_i - p_com) x df_i = moment   of wrench_change
-/// Then each force is clamped to its cone. The wrench lost by clamping is shared out again, nine
-/// times. Real-time: yes.
+/// Then each force is clamped to its cone. Nine further iterations distribute the wrench that
+/// clamping lost. Real-time: yes.
 /// @param forces contact forces to change, world axes [N]
 /// @param share share of its even load that each foot may take, 0 .. 1
 /// @return forces + df, clamped, world axes [N]

@@ -10,7 +10,7 @@ namespace surefoot {
 ///   tau_leg = h_leg - J_leg^T f
 ///   sum f = m g up - f_sustained,   sum (p - c) x f = -moment_external
 /// with c the centre of mass; h_leg includes Coriolis and centrifugal forces. Friction and torque
-/// limits are ignored. A foot that would have to pull gets no force. Real-time: yes.
+/// limits are ignored. A foot that would have to pull on the ground gets no force. Real-time: yes.
 /// @param mass of the robot [kg]
 /// @param state only f_sustained and moment_external are used
 /// @param share share of its even load that each foot may take, 0 .. 1, FR FL RR RL

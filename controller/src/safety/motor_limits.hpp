@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-/// Clamp the torque `tau` [N.m] to what motor `i` can produce at joint velocity `dq` [rad/s], or to
-/// the share 0 .. 1 of that. Real-time: yes.
+/// Return the torque `tau` [N.m], clamped to `share` (0 .. 1) times the torque that motor `i` can
+/// produce at joint velocity `dq` [rad/s]. Real-time: yes.
 inline double within_motor_limits(const RobotConfig& config, int i, double tau, double dq,
                                   double share = 1.0) noexcept {
   return std::clamp(tau, -share * motor_torque_limit(config, i, dq, -1.0),

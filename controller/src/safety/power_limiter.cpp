@@ -7,7 +7,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kBisections = 50;  // of [0, 1]: about the resolution of a double
+constexpr int kBisections = 50;  // of [0, 1]; derived: 2^-50, about the resolution of a double
 
 /// Power as a function of s: motor i takes a_i + s b_i [W].
 struct PowerLine {
@@ -15,8 +15,8 @@ struct PowerLine {
   double at(double s) const noexcept { return (a + s * b).cwiseAbs().sum(); }
 };
 
-// Return the s of least power. A convex piecewise linear function is smallest at an end or at a
-// kink, where the power of a motor changes its sign.
+// Return the s of least power. The power is convex and piecewise linear in s, so it is smallest at
+// an end of [0, 1] or at a kink. At a kink the power of a motor changes its sign.
 double min_power_scale(const PowerLine& line) noexcept {
   double best = 0.0;
   const auto consider = [&](double s) {
@@ -30,8 +30,8 @@ double min_power_scale(const PowerLine& line) noexcept {
   return best;
 }
 
-// Return the largest s within the limit. Above the s of least power P never falls, so it crosses
-// the limit once.
+// Return the largest s whose power is within the limit. Above the s of least power, the power never
+// falls, so it crosses the limit once.
 double max_scale(const PowerLine& line, double limit, double least) noexcept {
   if (line.at(1.0) <= limit) return 1.0;
   double within = least, beyond = 1.0;

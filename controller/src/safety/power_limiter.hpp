@@ -8,7 +8,7 @@ namespace surefoot {
 /// Torques within a power limit, and the scale that limited them.
 struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
-  double scale = 1.0;                   ///< s, 0 .. 1: share of the planned motion that is left
+  double scale = 1.0;                   ///< s. 1: the desired torques; 0: the holding torques
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
   bool limit_exceeded = false;          ///< true if no s meets the limit
 };
@@ -23,9 +23,9 @@ inline double power_of(const Vector12& tau, const Vector12& dq, double damping) 
 ///
 ///   tau(s) = hold + s (tau - hold)    P(s) = sum over i of |(tau_i(s) - damping dq_i) dq_i|
 ///
-/// The result has the largest s in [0, 1] with P(s) <= limit. P is convex: it may rise again below
-/// that s, but never falls above it. If no s meets the limit, s is 0: the holding torques. If a
-/// number is not finite, s is 0 too, and holding torques that are not finite become 0.
+/// The result has the largest s in [0, 1] with P(s) <= limit. P is convex, so above the s of least
+/// power it never falls. If no s meets the limit, s is 0: the result is the holding torques. If a
+/// number is not finite, s is also 0, and holding torques that are not finite become 0.
 /// Real-time: yes.
 /// @param tau desired torques, shape (12,) [N.m]
 /// @param hold torques that hold the robot against gravity, shape (12,) [N.m]

@@ -8,12 +8,14 @@ namespace surefoot {
 
 namespace {
 
-// Measured on the vendor's library: the counter rises with calls above the limit and falls with
-// others.
-constexpr int kTripCount = 5;  // trips above this
+// Measured on the vendor's library: each call with a power above the limit raises the counter by
+// one, each other call lowers it by one.
+constexpr int kTripCount = 5;  // the protection trips above this count
 constexpr int kMaxCount = 10;  // largest value of the counter
-constexpr int kMaxLevel = 10;
-constexpr float kMinPositionOff = 1e9F;  // [rad] a larger |q| means no position command
+constexpr int kMaxLevel = 10;  // largest level of the SDK's PowerProtect
+// [rad] At this |q| and above, there is no position command. Chosen below the SDK's PosStopF =
+// 2.146e9, because the vendor's Python examples send other values of that size.
+constexpr float kMinPositionOff = 1e9F;
 
 // Compute sum |tauEst dq| [W]. The sum of absolute values propagates NaN and infinity, so one check
 // covers all twelve motors.

@@ -7,11 +7,13 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRounding = 1e-9;    // [s]
-constexpr double kJumpPeriods = 5.0;  // longest step that is not a jump
+constexpr double kRounding = 1e-9;  // [s] numerical: sums of periods, which are whole milliseconds
+// [periods] Longest step that is not a jump. Chosen: a slow loop may lose this many samples; a
+// clock that has jumped makes a longer step. Test: test_tick_clock.cpp.
+constexpr double kJumpPeriods = 5.0;
 
-// Unsigned subtraction wraps around as the counter does. Read as signed, an earlier tick gives a
-// negative time.
+// Return the time [s] from one tick to another, negative if `to` is earlier. Unsigned subtraction
+// wraps around as the counter does.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
   return 1e-3 * static_cast<std::int32_t>(to - from);
 }

@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-/// Clock that reads LowState::tick: milliseconds modulo 2^32, of which only differences have a
-/// meaning. Real-time: yes.
+/// Clock that reads LowState::tick, a counter of milliseconds modulo 2^32. Only differences of
+/// ticks have a meaning. Real-time: yes.
 class TickClock {
  public:
   /// @param jump [s] a step longer than this, and than five periods, is a jump
@@ -16,23 +16,25 @@ class TickClock {
   /// Process a tick.
   ///
   /// A tick that repeats, runs backwards or jumps is bad. A second tick shortly after a jump
-  /// confirms the jump; it is good and counts as kMaxStep.
+  /// confirms the jump: this second tick is good and counts as kMaxStep.
   /// @return time since the last good tick [s]; 0 for the first tick; negative for a bad tick
   double advance(std::uint32_t tick) noexcept;
 
-  /// Result of the last advance() [s], but with the whole time of a confirmed jump; 0 if the tick
-  /// was bad or the first.
+  /// Result of the last advance() [s], but the full time for a confirmed jump. 0 for a bad tick and
+  /// for the first tick.
   double gap() const noexcept { return gap_; }
 
-  /// Assumed duration of a bad tick [s], at most kMaxStep: the second longest of the last four
-  /// steps. A short step after jitter must not prolong the life of an old command. One lost sample
-  /// must not double the speed at which the command ages.
+  /// Period of the samples [s], at most kMaxStep: the second longest of the last four steps. It is
+  /// also the assumed duration of a bad tick. So a short step after jitter does not let an old
+  /// command act longer, and one lost sample does not make the command age twice as fast.
   double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(jump_threshold_); }
 
-  static constexpr double kMaxStep = 0.010;   ///< [s] longest time that is integrated
-  static constexpr double kJumpTime = 0.100;  ///< [s] default of `jump`
+  /// [s] Longest time that is integrated. Equal to kHoldTime: the state is unknown after that.
+  static constexpr double kMaxStep = 0.010;
+  /// [s] Default of `jump`. Equal to kRobotWatchdogTime: after that the robot has damped.
+  static constexpr double kJumpTime = 0.100;
 
  private:
   double jump_threshold_;  // [s] longest step that is not a jump
@@ -41,6 +43,7 @@ class TickClock {
   std::uint32_t last_ = 0;
   std::uint32_t jump_tick_ = 0;
   double gap_ = 0.0;
+  // [s] The last four steps; at first the period at 500 Hz.
   std::array<double, 4> recent_steps_ = {0.002, 0.002, 0.002, 0.002};
   int next_ = 0;
 };

@@ -16,7 +16,8 @@ LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 
 /// Converts the torques of the QP or of the fallback chain to a LowCmd in torque mode.
 ///
-/// It limits the power of the command, then the torques of runaway legs, and lets a lost leg damp.
+/// It limits the power of the command, then limits the torques of runaway legs, and makes a lost
+/// leg damp.
 /// Real-time: yes.
 class TorqueCommand {
  public:
@@ -25,28 +26,29 @@ class TorqueCommand {
   TorqueCommand(const Robot& robot, double motor_damping, double power_limit)
       : robot_(robot), motor_damping_(motor_damping), power_limit_(power_limit) {}
 
-  /// Update the joint velocities; call it after each estimate. @param dt time since the last [s]
+  /// Update the joint velocities; call it after each estimate. @param dt time since the last
+  /// estimate [s]
   void observe_joints(const RobotState& state, double dt) noexcept {
     runaway_legs_.update(joint_speeds(state), dt);
   }
 
-  /// Set the lost leg, 0 .. 3: its motors get no torques and damp. -1: none.
+  /// Set the lost leg: 0 .. 3, or -1 for none. The motors of a lost leg get no torques, but damp.
   void set_lost_leg(int leg) noexcept { lost_leg_ = leg; }
 
-  /// Take the torques of a usable solution and limit their power. limited().scale is the share of
-  /// the planned motion that is left, without the limit on runaway legs.
+  /// Set the torques for the next command() to those of a usable solution, and limit their power.
+  /// The reduction of runaway legs does not count in limited().scale.
   /// @return the status of the solution, or kSaturated if the torques were limited
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;
 
-  /// Do the same for torques in motor order.
+  /// Do the same for torques `tau` in motor order.
   /// @param tau [N.m]
-  /// @param damping motor-side damping besides that of the option [N.m.s/rad]
+  /// @param damping motor-side damping to add to the option motor_damping [N.m.s/rad]
   /// @return whether the torques were limited
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
 
-  /// Return the command for the torques last taken. @param dt time since the last call [s]
+  /// Return the command with the torques of the last take(). @param dt time since the last call [s]
   LowCmd command(double dt) noexcept;
 
   /// See WholeBodyController::set_torque_share().
@@ -70,10 +72,10 @@ class TorqueCommand {
   LimitedTorques limited_;  // motor order
   RunawayLegs runaway_legs_;
   int lost_leg_ = -1;
-  Vector12 torque_share_ = Vector12::Ones();  // of each motor's limit
-  double damping_ = 0.0;                      // [N.m.s/rad]
-  double lost_damping_ = 0.0,
-         lost_damping_share_ = 0.0;  // [N.m.s/rad] of the lost leg; share reached
+  Vector12 torque_share_ = Vector12::Ones();  // share of each motor's limit
+  double damping_ = 0.0;                      // [N.m.s/rad] of the present command, option included
+  // Of the lost leg: final damping [N.m.s/rad], and the share 0 .. 1 of it that is reached.
+  double lost_damping_ = 0.0, lost_damping_share_ = 0.0;
 };
 
 }  // namespace surefoot

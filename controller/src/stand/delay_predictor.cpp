@@ -6,9 +6,11 @@
 namespace surefoot {
 
 namespace {
-constexpr int kCapacity = 64;                 // commands: more than kMaxDelay at 1 kHz
-constexpr double kDefaultDelayPeriods = 2.0;  // [periods] assumed if the option is 0
-constexpr double kTimeTolerance = 1e-6;  // [s] for sums of periods, which are whole milliseconds
+constexpr int kCapacity = 64;  // stored commands; derived: more than kMaxDelay has at 1 kHz
+// [periods] Delay assumed if StandOptions::delay is 0. Derived: a sample is one period old when it
+// arrives, and its command acts another period later.
+constexpr double kDefaultDelayPeriods = 2.0;
+constexpr double kTimeTolerance = 1e-6;  // [s] numerical: rounding of summed periods
 }  // namespace
 
 DelayPredictor::DelayPredictor(int nv, double delay)
@@ -46,7 +48,8 @@ const SentCommand* DelayPredictor::acting_command(double period) const noexcept 
 RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   dv_.setZero();
   dq_ = delay_ * state.v;
-  // Go backwards from the newest command, which acts until the next one starts to act.
+  // Go backwards from the newest command. Each command acts until the next command starts to act;
+  // `end` is that time, in seconds after `state`.
   double end = delay_;
   for (int k = 1; k <= count_ && end > 0.0; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
@@ -55,7 +58,7 @@ RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
     dq_ += duration * (delay_ - end + 0.5 * duration) * sent.accelerations;
     end -= duration;
   }
-  // The base part of dq is in base axes, as in v.
+  // The base part of dq is in base axes, like that of v.
   const Quaternion R(state.q[6], state.q[3], state.q[4], state.q[5]);
   const Quaternion turned = (R * exp_so3(dq_.segment<3>(3))).normalized();
   predicted_.q = state.q;

@@ -7,29 +7,33 @@
 
 namespace surefoot {
 
-/// A command that was sent, with the motion that it is planned to cause.
+/// A command that was sent, and its planned motion.
 struct SentCommand {
-  Eigen::VectorXd accelerations;     ///< planned, Pinocchio's axes, shape (nv,)
+  Eigen::VectorXd accelerations;  ///< planned motion, Pinocchio's order and base axes, shape (nv,)
   Vector12 tau = Vector12::Zero();   ///< [N.m] commanded torques, SDK motor order
   Vector3 f_push = Vector3::Zero();  ///< [N] push that the plan accounts for, world axes
-  double dt = 0.0;                   ///< [s] time for which it acts
+  double dt = 0.0;                   ///< [s] from sending this command to sending the next one
 };
 
 /// Predictor of the state at the time when the next command acts.
 ///
-/// It integrates the planned accelerations of the commands already sent over the delay:
+/// Over the delay, it integrates the planned accelerations a_k of the commands already sent.
+/// Command k acts for the time dt_k within the delay:
 ///   v(t + delay) = v(t) + sum over the commands k of dt_k a_k
 /// Real-time: yes, except the constructor.
 class DelayPredictor {
  public:
-  static constexpr double kMaxDelay = 0.05;  ///< [s]
+  /// [s] Largest `delay`. Chosen: longer than the delay of a robot's link, and within the memory of
+  /// sent commands.
+  static constexpr double kMaxDelay = 0.05;
 
   /// @param delay time from a measurement to the action of the command computed from it [s]
   DelayPredictor(int nv, double delay);
 
+  /// Return whether the delay is above 0, so that the state must be predicted.
   bool active() const noexcept { return delay_ > 0.0; }
 
-  /// Advance the time by `dt` [s]: the last command sent acts for that much longer.
+  /// Advance the time by `dt` [s]: add it to the time of the last command sent.
   void advance(double dt) noexcept;
 
   /// Record the command that is sent now, and its planned motion.
@@ -42,11 +46,11 @@ class DelayPredictor {
 
   /// Return the command that acted when the newest sample was measured, or null if none did. With
   /// a delay of 0, the sample and the command are assumed to take one period each.
-  /// @param period of the commands [s]
+  /// @param period time between two commands [s]
   const SentCommand* acting_command(double period) const noexcept;
 
-  /// Predict the state `delay` after `state`. The result has the size of `state`; the caller may
-  /// change it until the next call.
+  /// Return the predicted state at the time `delay` after `state`. The caller may change the result
+  /// until the next call.
   RobotState& predict(const RobotState& state) noexcept;
 
   void reset() noexcept { count_ = 0; }

@@ -13,7 +13,9 @@ namespace surefoot {
 /// Real-time: yes.
 class GainChangeRamp {
  public:
-  static constexpr double kRampTime = 0.1;  ///< [s] many ticks, but short for an operator
+  /// [s] Duration of the ramp. Chosen: many ticks, so that torques do not step, but short for an
+  /// operator.
+  static constexpr double kRampTime = 0.1;
 
   void start(const Gains& from, const Gains& to) noexcept {
     start_ = from;
@@ -23,7 +25,7 @@ class GainChangeRamp {
   bool moving() const noexcept { return remaining_ > 0.0; }
   const Gains& target() const noexcept { return target_; }
 
-  /// Advance by dt [s] and return the present gains; the last ones equal the requested gains.
+  /// Advance by dt [s] and return the gains in force. After the ramp they equal target().
   const Gains& step(double dt) noexcept {
     remaining_ = std::max(remaining_ - dt, 0.0);
     current_ = target_;

@@ -8,6 +8,8 @@ namespace surefoot {
 
 namespace {
 
+// Number of ticks that latch the pose. Chosen: the second and the third latch correct the contact
+// points, which depend on the ground normal only through the radius of the soles.
 constexpr int kPoseLatches = 3;
 
 const Robot& twelve_joints(const Robot& robot) {
@@ -31,7 +33,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
       fallback_chain(r),
       torque_command(r, o.motor_damping, o.power_limit) {
   estimator.set_gains(g);
-  state = estimator.state();  // sets its size, so that ticks do not allocate
+  state = estimator.state();  // gives `state` its size, so that ticks do not allocate
 }
 
 void StandController::Impl::apply_gains(const Gains& gains) noexcept {
@@ -44,8 +46,9 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   // not apply: latch damping.
   const bool robot_timed_out = step > 0.0 && clock.gap() > kRobotWatchdogTime;
   const double elapsed = robot_timed_out ? clock.gap() : step > 0.0 ? step : clock.period();
-  // The time of unusable samples counts for the next estimate. A bad tick adds no time: the next
-  // good tick is measured from the last good one.
+  // The next estimate also covers the time of unusable samples. A tick counter that repeats, runs
+  // backwards or jumps (step < 0) adds no time: the clock measures the next good counter from the
+  // last good one.
   if (step >= 0.0) {
     time_since_estimate += elapsed;
     predictor.advance(elapsed);
@@ -59,7 +62,7 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
     status = estimate_and_solve(low_state, std::min(time_since_estimate, TickClock::kMaxStep));
   }
   // After a divergence the estimator restarts, and the latched reference does not fit the new
-  // estimate. An elapsed time of 100 ms ends the hold at once.
+  // estimate. Passing 100 ms as the elapsed time makes the command hold latch damping at once.
   const LowCmd& command =
       select_command(status, status == Status::kDiverged ? kRobotWatchdogTime : elapsed);
   ++fallback_counts[static_cast<int>(fallback_level)];
@@ -80,9 +83,9 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   status = command_hold.latched() ? Status::kDamping : tick;
   if (!command_hold.in_control()) fallback_level = FallbackLevel::kDamping;
   if (is_fresh(fallback_level)) {
-    // A fallback command produces about the motion of the last solution. Torques scaled by the
-    // power limit produce the same share of it. The smaller motion of a limited runaway leg is
-    // neglected, because its foot carries no load.
+    // A fallback command produces about the motion of the last solution. If the power limit scales
+    // the torques, the motion scales by the same factor. The smaller motion of a limited runaway
+    // leg is neglected, because its foot carries no load.
     const LimitedTorques& sent = torque_command.limited();
     predictor.record(controller.solution().accelerations, sent.scale, sent.torques,
                      state.f_external - state.f_sustained);
@@ -92,7 +95,8 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
 
 // Estimate the state, update the reference, solve the QP.
 Status StandController::Impl::estimate_and_solve(const LowState& low_state, double dt) noexcept {
-  // Only the start needs the quaternion of the IMU; a standing robot continues without it.
+  // Only the first pose latch needs the quaternion of the IMU; a standing robot continues without
+  // it.
   if (pose_latches == 0 && !has_unit_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const SentCommand* acting_command = predictor.acting_command(clock.period());
   if (acting_command != nullptr) {
@@ -132,13 +136,13 @@ Status StandController::Impl::solve_predicted(const Reference& desired, double d
   return solve(predicted_dynamics, predicted_state, desired);
 }
 
-// Solve the QP, with a cold start if the first solve fails, and limit the power of its torques.
+// Solve the QP, again from a cold start if the first solve fails. Limit the power of the torques.
 Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& used_state,
                                     const Reference& desired) noexcept {
   const Solution& solution = controller.solve(dynamics, used_state, desired);
   fallback_level = FallbackLevel::kSolved;
   if (!is_usable(solution.status)) {
-    controller.solve_cold(dynamics);
+    controller.solve_cold(dynamics);  // overwrites `solution`
     fallback_level = FallbackLevel::kColdSolve;
   }
   if (is_usable(solution.status)) {

@@ -11,8 +11,8 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 }
 
-// Ranges: power levels of the SDK; temperatures of LowState (int8, deg C); others are sanity
-// limits.
+// The range of power_level is that of the SDK. Temperatures have the range of LowState (int8, deg
+// C). The other ranges reject values that make no sense.
 void SupervisorOptions::validate() const {
   const auto expect = [](const char* name, double got, double lower, double upper) {
     if (got >= lower && got <= upper) return;

@@ -10,18 +10,27 @@ namespace surefoot {
 namespace {
 
 // Chosen by hand.
-// [rad] 40 degrees while rising and sitting. Below: slopes to 8 degrees in
-// benchmarks/false_trips.py; above: the 60 degrees of the row body_tilt.
+// [rad] 40 degrees: tilt above which a rising or sitting robot has fallen. Must exceed the tilt on
+// slopes of 8 degrees (benchmarks/false_trips.py). Must be below the 60 degrees of the row
+// body_tilt.
 constexpr double kFallTilt = 0.7;
-constexpr double kRollTilt = 0.8;  // [rad] while the body lies: above RolloverMonitor's 0.74
-// [s] for which the tilt is predicted. Below: no gain; above: false trips in pushes, which end.
+// [rad] Tilt above which a lying body has fallen. Must exceed RolloverMonitor's 0.74.
+constexpr double kRollTilt = 0.8;
+// [s] Time over which the tilt is predicted. Shorter: falls are detected later. Longer: pushes,
+// which end by themselves, trip.
 constexpr double kTiltPrediction = 0.1;
-constexpr double kBatteryTime = 1.0;  // [s] of the 2 s of fault_table(); below: wrong samples
-// Of the height of the centre of mass: distance of the capture point outside the other three feet.
-// The damping of the lost leg carries that much for long enough. Test: test_lost_leg.py.
+// [s] Time for which the battery charge must be low before it is a fault. Shorter: wrong samples
+// trip. Must be below the 2 s of fault_table().
+constexpr double kBatteryTime = 1.0;
+// [height of the centre of mass] Largest distance of the capture point outside the triangle of the
+// other three feet at which a leg is given up. The damping of the lost leg supports the body over
+// this distance for long enough. Test: test_lost_leg.py.
 constexpr double kMaxOutside = 0.03;
-constexpr double kMaxPush = 0.1;  // of the weight: a larger push moves the capture point on
-// Share of samples: the rows packet_loss must pass at 4 % and report at 8 %.
+// [m g] External force above which no leg is given up, because the push will move the capture point
+// further.
+constexpr double kMaxPush = 0.1;
+// Share of missing samples above which kLoss is reported. The rows packet_loss bracket it: 4 % must
+// pass, 8 % must be reported.
 constexpr double kMaxLoss = 0.05;
 
 }  // namespace
@@ -47,8 +56,8 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_rest(state, dt);
 }
 
-// Give up the leg of a failed motor if the robot stands with its capture point over, or nearly
-// over, the other three feet.
+// Give up the leg of a failed motor if the robot stands and its capture point is inside the
+// triangle of the other three feet, or at most kMaxOutside outside.
 void Supervisor::Impl::judge_legs() noexcept {
   const int lost = stand.lost_leg();
   if (lost >= 0) {
@@ -63,7 +72,7 @@ void Supervisor::Impl::judge_legs() noexcept {
     const double height =
         stand_reference.p_com.z() - stand_reference.feet[diagonal_leg(leg)].p_world.z();
     const double push = stand.state().f_external.head<2>().norm();
-    // Written so that NaN keeps the leg.
+    // Both comparisons are false for NaN, so the leg is kept.
     const bool quiet = push <= kMaxPush * kGravity * robot.mass();
     if (!quiet || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
     stand.give_up_leg(leg);
@@ -85,13 +94,14 @@ void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
   log.set(FaultId::kOperator, operator_silence > options.operator_timeout);
 }
 
-// Predict the tilt by its rate, so that a fast fall damps early.
+// Extrapolate the tilt with its rate, so that a fast fall damps early.
 void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   if (!applies_torque()) {
     log.set(FaultId::kTilt, false);
     return;
   }
-  // A standing robot has its own estimate of attitude and its own limit, the gain fall_tilt.
+  // For a standing robot use the attitude of the StandController's estimator, and the gain
+  // fall_tilt as limit.
   Quaternion R = impedance.R_world_base();
   double most = is_raising_body() ? kFallTilt : kRollTilt;
   if (is_standing()) {
@@ -105,8 +115,8 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);  // no division by zero if level
   // d(up)/dt = up x w; the tilt grows as up.z falls.
   const double rate = -up.cross(w).z() / sine;
-  // A lying body may roll off a leg: do not predict its tilt. Below half the limit nothing is
-  // predicted: pushes of a level body are fast and end.
+  // The tilt of a lying body is not predicted, because the body may roll off a leg. Below half the
+  // limit no tilt is predicted: pushes turn a level body fast, but end.
   const double ahead = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
@@ -116,7 +126,7 @@ void Supervisor::Impl::react() noexcept {
     if (log.report().has(stop_fault)) latch(stop_fault);
   }
   if (!applies_torque()) return;
-  // For a sample fault tick() holds the last command before it latches.
+  // Do not latch here for the sample fault: tick() first repeats the last command for 10 ms.
   const FaultId worst = log.report().first_active(FaultReaction::kDamp, sample_fault);
   if (worst != FaultId::kNone) latch(worst);
   const bool up = context.mode == Mode::kStand || context.mode == Mode::kRise;

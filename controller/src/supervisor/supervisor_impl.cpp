@@ -10,12 +10,13 @@ namespace surefoot {
 
 namespace {
 
-// Shares of the power level, chosen by hand below the 1 at which the power protection trips.
-// Measured with them: 93 W at most at level 1 (100 W) in benchmarks/get_up.py, no trip in
+// Shares of the power at which the power protection trips. Chosen by hand, below 1. Measured with
+// these values: 93 W at most at level 1 (100 W) in benchmarks/get_up.py; no trip in
 // benchmarks/false_trips.py.
-constexpr double kPlannedShare = 0.5;  // taken by the rise plan
-constexpr double kLimitedShare = 0.8;  // limit of the impedance: measured speeds are 5 ms old ...
-constexpr double kStandShare = 0.9;    // ... and of StandController, by measured dq
+constexpr double kPlannedShare = 0.5;  // power of the rise plan's holding torques
+// Limit of JointImpedance; lower, because its measured velocities are 5 ms old.
+constexpr double kLimitedShare = 0.8;
+constexpr double kStandShare = 0.9;  // limit of StandController
 constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
@@ -23,7 +24,8 @@ double watts(const SupervisorOptions& options) {
   return Safety::kWattsPerLevel * std::max(options.power_level, 1);
 }
 
-// Limit the power of commands below the level at which the power protection trips.
+// Return the options of the StandController, with power_limit below the power at which the power
+// protection trips.
 StandOptions within_power(const SupervisorOptions& options) {
   StandOptions stand = options.stand;
   if (options.power_level > 0) {
@@ -66,7 +68,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   if (good) judge(state, dt);
   react();
   if (good) {
-    handle_request(requests.take_over_now());
+    handle_request(requests.take());
     if (context.checks_waived && context.mode == Mode::kPassive && !context.armed) take_over();
     step_motion(state, dt);
   }
@@ -99,10 +101,10 @@ void Supervisor::Impl::handle_request(int request) noexcept {
     context.mode = Mode::kPassive;
     context.armed = true;
     command_hold.reset();
-    clock_monitor = {};  // joints at rest would keep its last verdict
+    clock_monitor = {};  // joints at rest would keep the last verdict
     for (const FaultId cleared :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
-      log.set(cleared, false);  // arming clears these
+      log.set(cleared, false);
     }
     reason = FaultId::kNone;
     if (take_over_now) {
@@ -116,20 +118,20 @@ void Supervisor::Impl::handle_request(int request) noexcept {
   }
 }
 
-// Take over a standing robot without a fade: during a fade it would sink.
+// Take over a standing robot. Torques do not fade in, because the robot would sink during a fade.
 void Supervisor::Impl::take_over() noexcept {
   stand.reset();
   motors.reset();
   context.mode = Mode::kStand;
   context.armed = true;
-  stage = RiseStage::kUp;  // otherwise sit() would take it for a lying robot and only damp
+  stage = RiseStage::kUp;  // in any other stage sit() would only damp, as for a lying robot
   motion.start(1.0, impedance.q());
   rate_limiter.reset();
   fade.switch_to(TorqueSource::kController);
 }
 
 void Supervisor::Impl::latch(FaultId why) noexcept {
-  requests.take_over_now();  // earlier requests are void
+  requests.take();  // drop earlier requests
   if (context.mode == Mode::kDamping) return;
   context.mode = Mode::kDamping;
   context.armed = context.ready = false;
@@ -138,7 +140,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   rate_limiter.set_damping_only(damping_kd);
   unsolved = rate_limited = {};
   log.set(FaultId::kTorqueRate, false);
-  log.set(FaultId::kHanging, false);  // that rise is over; the fault must not block the next one
+  log.set(FaultId::kHanging, false);  // the rise has ended; the fault must not block the next rise
   reason = why;
 }
 

@@ -33,15 +33,15 @@ namespace surefoot {
 /// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise runs through the
 /// stages of RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves damping. Passive and
 /// damping send damping only; rise and sit use JointImpedance; stand uses StandController.
-/// TorqueFade blends the torques when the mode changes, except into damping, which starts at once.
+/// TorqueFade blends the torques when the mode changes. A change to damping does not fade.
 ///
 /// A tick has five steps:
 ///   1. read_sample() checks the LowState; an unusable one is a sample fault.
 ///   2. judge() runs the fault detectors on a usable sample; react() sits or damps for a fault.
 ///   3. handle_request() takes the request that another thread posted.
 ///   4. step_motion() moves the joint reference of rise or sit.
-///   5. command() makes the LowCmd. Without a usable sample CommandHold repeats the last one for
-///      10 ms, then damps and latches.
+///   5. command() computes the LowCmd. Without a usable sample, CommandHold repeats the last one
+///      for 10 ms; then damping is latched.
 ///
 /// Threads: `requests`, Seqlock members and atomics are shared with other threads. `plan` and
 /// `options` are constant. All other members belong to the thread of the tick.
@@ -75,9 +75,10 @@ struct Supervisor::Impl {
   bool fresh = false;
 
  private:
-  /// [s] A longer step of the tick needs a second sample to confirm it, for one tick may be wrong.
-  /// Longer than kHoldTime: no command is repeated for such a step. Chosen: above samples at 100 Hz
-  /// with 3 ms of jitter; a step of 17 ms latches (tests/cpp/test_supervisor_link.cpp).
+  /// [s] Step of the tick above which a second sample must confirm it, because one tick may be
+  /// wrong. Chosen. Must exceed kHoldTime, so that no command is repeated for such a step, and 13
+  /// ms: samples at 100 Hz with 3 ms of jitter. Must be below the 17 ms that latch in
+  /// tests/cpp/test_supervisor_link.cpp.
   static constexpr double kLongestStep = 0.015;
 
   bool read_sample(const LowState& state, double step, double dt) noexcept;
@@ -109,7 +110,8 @@ struct Supervisor::Impl {
   bool active() const noexcept {
     return context.mode != Mode::kPassive && context.mode != Mode::kDamping;
   }
-  bool applies_torque() const noexcept { return active() || fade.active(); }  ///< not damping alone
+  /// Return whether the motors get torques, not damping alone.
+  bool applies_torque() const noexcept { return active() || fade.active(); }
   bool is_raising_body() const noexcept { return stage == RiseStage::kUp; }
   bool is_standing() const noexcept { return context.mode == Mode::kStand && !fade.active(); }
 
@@ -117,7 +119,7 @@ struct Supervisor::Impl {
   TickClock clock{kLongestStep};
   CommandHold command_hold;
   TorqueFade fade;
-  JointReference reference;  // of the joint impedance
+  JointReference reference;  // input of `impedance`
   RiseStage stage = RiseStage::kHoldLegs;
   LightLegCheck light_leg_check;
   FaultLog log;
@@ -126,16 +128,16 @@ struct Supervisor::Impl {
   TorqueRateLimiter rate_limiter;
   RepeatedSample repeated;
   std::uint32_t last_tick = 0;
-  bool state_received = false;  // a usable one, since the link was lost
-  double bad_time = 0.0;        // [s] of consecutive unusable samples
-  double unchecked_time = 0.0;  // [s] since the last sample with plausible numbers
+  bool state_received = false;  // whether a usable sample has arrived since the link was lost
+  double bad_time = 0.0;        // [s] duration of the present series of unusable samples
+  double unchecked_time = 0.0;  // [s] since the last sample that passed check_low_state()
   ImuMonitor imu;
   JointMonitor joints;
   EncoderMonitor encoders;
   ClockMonitor clock_monitor;
   Debounce battery, rate_limited, unsolved;
-  FaultId sample_fault = FaultId::kNone;  // of the last sample, or kNone
-  unsigned last_heartbeats = 0;           // heartbeats at the last tick
+  FaultId sample_fault = FaultId::kNone;  // fault that made the last sample unusable, or kNone
+  unsigned last_heartbeats = 0;           // value of `heartbeats` at the last tick
   double operator_silence = 0.0;          // [s] since the last heartbeat
   double damping_kd;
 };

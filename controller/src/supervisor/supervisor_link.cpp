@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Periods without a sample, and loss of the link.
+// Handles periods without a sample, and the loss of the link.
 #include "supervisor/supervisor_impl.hpp"
 
 namespace surefoot {
@@ -13,15 +13,16 @@ const LowCmd& Supervisor::Impl::update_without_state(double age) noexcept {
   const bool known_age = age >= 0.0;  // neither negative nor NaN
   if (!known_age || age > kStaleTime) invalidate_state();
   publish();
-  // The age of the last command includes the time of unusable samples before this gap.
+  // command_hold.age() is the time of the unusable samples before this gap, so the sum is the age
+  // of the last command.
   if (applies_torque() && known_age && age + command_hold.age() <= kHoldTime)
     return command_hold.last();
   motors.skip_command();
-  rate_limiter.set_damping_only(damping_kd);  // later torques start from zero
+  rate_limiter.set_damping_only(damping_kd);  // the next torques are limited against zero
   return command_hold.damp(damping_kd);
 }
 
-// No valid sample has come for a while: pending requests no longer apply.
+// Drop pending requests and refuse new ones: no valid sample has arrived for a while.
 void Supervisor::Impl::invalidate_state() noexcept {
   context.state_valid = false;
   requests.take();

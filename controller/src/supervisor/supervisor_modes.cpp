@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Entering a mode, and the motion within it.
+// Enters a mode, and moves the joint reference within the mode.
 #include <cmath>
 
 #include "supervisor/supervisor_impl.hpp"
@@ -7,10 +7,13 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand. [s] time constant in which a fading reference stops: far below TorqueFade::kTime.
+// Chosen by hand.
+// [s] Time constant with which the joint reference stops while the impedance fades out. Must be far
+// below TorqueFade::kTime.
 constexpr double kRestTime = 0.03;
-// [rad] 20 degrees, joint error up to which the robot stands. Below: poses that BodyReference asks
-// for; above: a robot that has sunk. start_rise() and the arming checks have the same.
+// [rad] 20 degrees: largest joint error from q_standing at which the robot counts as standing.
+// Smaller: poses within BodyReference count as sunk. Larger: a robot that has sunk counts as
+// standing. kPathTolerance and the arming checks use the same value.
 constexpr double kUprightTolerance = 0.35;
 }  // namespace
 
@@ -20,7 +23,7 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     motors.reset();
     fade.start(TorqueSource::kImpedance);
   } else if (mode == Mode::kSit && context.mode == Mode::kStand) {
-    // A robot that sank and was armed again must not rise first: begin at its present height.
+    // A robot that sank and was armed again must not rise first: start at the present height.
     const Vector12& q = impedance.q();
     const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
     motion.start(upright ? 1.0 : plan.nearest(q), q);
@@ -40,7 +43,7 @@ void Supervisor::Impl::step_motion(const LowState& state, double dt) noexcept {
   impedance.reduce_damping(lies ? Vector3(w[0], w[1], w[2]).norm() : 0.0, dt);
   if (context.mode == Mode::kRise) rise(state, dt);
   if (context.mode == Mode::kSit) sit(dt);
-  // The impedance is fading out: stop its reference.
+  // The impedance fades out: let its reference stop.
   if (context.mode == Mode::kPassive) {
     reference.dq *= std::exp(-dt / kRestTime);
     reference.q += dt * reference.dq;
@@ -52,11 +55,13 @@ void Supervisor::Impl::sit(double dt) noexcept {
   if (!is_raising_body() || motion.arrived()) enter_passive();
 }
 
-// The robot lies or is nearly down: fade to the motors' own damping.
+// Fade to the motors' own damping; the robot lies or is nearly down.
 void Supervisor::Impl::enter_passive() noexcept {
   context.mode = Mode::kPassive;
-  context.checks_waived = false;  // a robot taken over standing now lies and must be armed
-  // While the robot lies no estimator shows that such a fault has ended: the operator must arm.
+  // A robot that was taken over standing lies now and must pass the checks.
+  context.checks_waived = false;
+  // No estimator runs while the robot lies, so nothing shows that such a fault has ended. The
+  // operator must arm again.
   if (estimator_faults.must_sit_down()) context.armed = false;
   log.set(FaultId::kHanging, false);
   fade.start(TorqueSource::kDamping);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stages of a rise: folding and checks while the body lies on the ground, then raising the body.
+// Runs the stages of a rise: folding and checks while the body lies on the ground, then raising the
+// body.
 #include <algorithm>
 
 #include "supervisor/common/motor_measurements.hpp"
@@ -8,11 +9,14 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand. [1] of the path: from here on feet are below the body on level ground.
+// Chosen by hand.
+// [1] Smallest path parameter s from which a rise may start without folding: on level ground the
+// feet are below the body from here on.
 constexpr double kMinHeight = 0.2;
-constexpr double kPathTolerance = 0.35;  // [rad] 20 degrees, error of each joint from the path
-// Share of the weight on legs that stand on something. Between hung legs (0) and a robot on its
-// feet (1): the row hanging and every rise of `surefoot faults`.
+// [rad] 20 degrees: largest error of a joint from the path for such a start.
+constexpr double kPathTolerance = 0.35;
+// Share of the weight on the legs below which the robot hangs. Between hanging legs (0) and a robot
+// on its feet (1), as in the row hanging and in every rise of `surefoot faults`.
 constexpr double kMinLoadShare = 0.35;
 
 bool any(const std::array<bool, kLegs>& legs) noexcept {
@@ -20,7 +24,8 @@ bool any(const std::array<bool, kLegs>& legs) noexcept {
 }
 }  // namespace
 
-// A robot that crouches or stands on the planned path continues from there; others fold first.
+// Start a rise. A robot whose joints are near the planned path at s > kMinHeight continues from
+// there; any other robot folds its legs first.
 void Supervisor::Impl::start_rise() noexcept {
   const Vector12& q = impedance.q();
   const double s = plan.nearest(q);
@@ -55,8 +60,8 @@ void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
   }
 }
 
-// The legs carry only themselves before they move: the impedance of a larger model would throw the
-// legs of a smaller robot.
+// Apply the legs' gravity torques and check the result before the legs move. If the model is that
+// of a larger robot, its impedance would throw the legs of a smaller one.
 void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   light_leg_check.update(measured_torques(state), impedance.leg_gravity_torques(), dt);
   if (!light_leg_check.done()) return;
@@ -122,7 +127,7 @@ void Supervisor::Impl::raise_body(const LowState& state, double dt) noexcept {
     log.set(FaultId::kHanging, true);
     enter_mode(Mode::kSit);
   } else if (motion.arrived() && imu.accelerometer_bad()) {
-    enter_mode(Mode::kSit);  // the estimator cannot start without it
+    enter_mode(Mode::kSit);  // the estimator cannot start without an accelerometer
   } else if (motion.arrived()) {
     stand.reset();
     context.mode = Mode::kStand;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of a sample, and which faults make it unusable.
+// Checks each sample and finds the fault that makes it unusable.
 #include <cmath>
 #include <utility>
 
@@ -16,18 +16,19 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   const FaultId sits = log.report().first_active(FaultReaction::kSit);
   const FaultId down = log.report().has(FaultId::kButton) ? FaultId::kButton : sits;
   arming.set_blocking_fault(sample_fault != FaultId::kNone ? sample_fault : down);
-  // After a long gap or a restart, a lying robot may be another one: it must be armed again.
+  // After a long gap or a restart the samples of a lying robot may come from another robot, so it
+  // must be armed again.
   const double since = 1e-3 * static_cast<std::int32_t>(state.tick - last_tick);
   if (state_received && !active() && !context.checks_waived && !arming.has_link_counts() &&
       std::abs(since) > kStaleTime) {
     context.armed = false;
     arming.clear_ready();
-    fade.switch_to(TorqueSource::kDamping);  // a fade from before the gap no longer applies
+    fade.switch_to(TorqueSource::kDamping);  // end a fade that began before the gap
   }
   last_tick = state.tick;
   if (step < 0.0) {
     arming.count_missed();
-    // No motion depends on the clock now: accept the clock of a robot that restarted.
+    // No motion uses the clock now, so accept the new tick of a robot that restarted.
     if (!active()) clock.reset();
   } else {
     arming.update(state, step);
@@ -40,24 +41,24 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   bad_time = sample_fault == FaultId::kNone ? 0.0 : bad_time + dt;
   if (bad_time > kStaleTime) {
     requests.take();
-    if (context.checks_waived) context.state_valid = false;  // no arming check refuses requests
+    if (context.checks_waived) context.state_valid = false;  // arming checks do not refuse
   }
-  // A robot that sits down on three legs must be armed before it rises again.
+  // A robot that sits down on three legs must be armed again before it rises.
   const bool without_leg = active() && stand.lost_leg() >= 0;
   context.must_sit = down != FaultId::kNone || without_leg;
   context.ready = arming.report().ready && !context.must_sit;
   return sample_fault == FaultId::kNone;
 }
 
-// Find the fault that makes a sample unusable, or kNone.
+// Return the fault that makes a sample unusable, or kNone.
 FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) noexcept {
   repeated.update(state, step);
   unchecked_time += step;
   const Status status = check_low_state(state, robot.config());
   if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
   if (status != Status::kOk) return FaultId::kStateImplausible;
-  // Run the power protection on every plausible sample, also on one rejected below: an impact that
-  // makes the IMU jump takes power too. power_protect() does not read the command.
+  // Run the power protection on every plausible sample, also on samples that are rejected below: an
+  // impact that makes the IMU jump takes power too. power_protect() does not read the command.
   const bool protect = applies_torque() && options.power_level > 0;
   if (!protect) safety.reset();
   log.set(FaultId::kPower,
@@ -66,14 +67,14 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   const bool joints_fit = joints.update(state, elapsed, stand.lost_leg());
   imu.update(state.imu, elapsed, !repeated.repeats(), context.mode != Mode::kStand);
   if (!joints_fit) return FaultId::kJointJump;
-  // A standing robot estimates its own attitude and needs only the rates.
+  // A standing robot has the attitude of its estimator and needs only the gyroscope rates.
   if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_standing()))
     return FaultId::kAttitude;
-  // The robot received no command between the last sample and this one. A caller that counts
-  // samples judges such gaps itself: report_link_lost().
+  // After such a gap the robot has damped on its own. A caller of count_samples() judges gaps
+  // itself and calls report_link_lost().
   if (active() && !arming.has_link_counts() && clock.gap() > kRobotWatchdogTime)
     return FaultId::kStaleTick;
-  // Without torques no action depends on fresh values: only sensors that have stopped matter.
+  // While the motors only damp, old values do no harm; only sensors that have stopped are a fault.
   const bool old = active() ? repeated.too_old() : repeated.stopped();
   return old ? FaultId::kFrozen : FaultId::kNone;
 }

@@ -17,7 +17,8 @@ BodyRows base_position_task(const Gains& gains, const Vector3& acceleration,
   const Matrix3& R = dynamics.R_world_base();
   BodyRows rows;
   rows.A_base.leftCols<3>() = R;
-  // Pinocchio's base acceleration is spatial; the acceleration of the point is a_lin + w x v.
+  // Pinocchio's base acceleration is spatial. The acceleration of the base's origin is a_lin + w x
+  // v.
   rows.b = acceleration - R * dynamics.w_base().cross(dynamics.v_base());
   rows.weight = PositionGains(gains).weight;
   return rows;

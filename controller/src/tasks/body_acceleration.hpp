@@ -13,8 +13,8 @@ struct BodyAcceleration {
 
 /// Compute the desired acceleration from reference and state:
 ///   a = (1 - push_resist) f_external / m + a_task,   alpha = alpha_task
-/// The feet resist the share push_resist of the external force; the rest accelerates the body and
-/// is no task error. Real-time: yes.
+/// The feet resist the share push_resist of the external force. The remaining force accelerates the
+/// body; this acceleration counts as desired, so it is no task error. Real-time: yes.
 BodyAcceleration body_acceleration(const Gains& gains, double mass, const Dynamics& dynamics,
                                    const RobotState& state, const Reference& reference) noexcept;
 
@@ -24,7 +24,7 @@ struct FeetWrench {
   Vector3 moment;  ///< [N.m]
 };
 
-/// Compute the contact wrench that produces this acceleration of the robot with locked joints:
+/// Compute the contact wrench that gives the robot the acceleration `desired`, with locked joints:
 ///   force = m (a + g up) - f_external,   moment = I alpha + w x I w - moment_external
 /// The motion of the legs relative to the base is neglected. Real-time: yes.
 FeetWrench feet_wrench(const BodyAcceleration& desired, double mass, const Dynamics& dynamics,

@@ -20,7 +20,7 @@ struct BodyRows {
   Matrix3x12 A_force = Matrix3x12::Zero();
   Vector3 b = Vector3::Zero();
   Vector3 weight = Vector3::Zero();
-  double scale = 1.0;  ///< brings the rows to length one, so that weights of tasks compare
+  double scale = 1.0;  ///< brings the rows to length one: weights of tasks become comparable
 };
 
 }  // namespace surefoot

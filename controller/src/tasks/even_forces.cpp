@@ -13,7 +13,8 @@ Vector12 even_forces(const Matrix6x12& A, const Vector6& b, const Eigen::Vector4
   for (int leg = 0; leg < kLegs; ++leg) shared.middleCols<3>(3 * leg) *= share[leg];
   Matrix6 gram = shared * rows.transpose();
   // Forces at two feet give no moment about the line between them. The damping keeps the result
-  // finite. Numerical: 1e-9 against rows of length one, an error below the QP's tolerance of 1e-6.
+  // finite. Numerical: the rows have length one, so the value 1e-9 causes an error below the QP's
+  // tolerance of 1e-6.
   gram.diagonal().array() += 1e-9;
   return shared.transpose() * gram.ldlt().solve(scale.cwiseProduct(b));
 }

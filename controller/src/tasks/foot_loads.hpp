@@ -17,9 +17,9 @@ inline double planned_load(const FootReference& foot) noexcept {
 ///   weight * planned load * (lost + contact (max - lost))
 /// with the gains max = force_max_contact and lost = force_lost_contact.
 ///
-/// 0 for a swing foot. Positive for a loaded stance foot even with a contact confidence of 0: a
-/// foot that is wrongly estimated as lifted must be able to carry load, so that the estimator sees
-/// it. Real-time: yes.
+/// The result is 0 for a swing foot. It is positive for every stance foot with a planned load, even
+/// at a contact confidence of 0. A foot that is wrongly estimated as lifted must be able to carry
+/// load, so that the estimator can detect the contact. Real-time: yes.
 /// @param weight of the robot [N]
 /// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
 Eigen::Vector4d normal_force_limits(const Gains& gains, double weight,

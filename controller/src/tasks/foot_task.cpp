@@ -7,11 +7,13 @@ namespace surefoot {
 
 namespace {
 
-// [1/s] used in the bound if foot_kd is smaller. Chosen: above 0, where no foot would be called
-// back at all; below the foot_kd of all robots (46 to 65).
+// [1/s] Smallest damping in the bound, used if foot_kd is smaller. Chosen above 0, because a bound
+// of 0 would stop the feedback on the foot position, and below the foot_kd of all robots (46 to
+// 65).
 constexpr double kMinDamping = 1.0;
 
-// The bound is the acceleration that damping balances at foot_speed.
+// Return foot_kp times the offset, at most the acceleration that the damping balances at
+// foot_speed.
 Vector3 stiffness_acceleration(const Gains& gains, const Vector3& offset) noexcept {
   const Vector3 pull = gains.foot_kp * offset;
   const double most = std::max(gains.foot_kd, kMinDamping) * gains.foot_speed;

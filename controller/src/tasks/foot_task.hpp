@@ -7,10 +7,12 @@ namespace surefoot {
 
 /// Compute the desired acceleration of each contact point, world axes [m/s^2], one column per foot:
 ///   a = a_ref + kp (p_ref - p) + kd (v_ref - v),   |kp (p_ref - p)| <= max(kd, 1) foot_speed
-/// For a stance foot, p_ref is its anchor, and the feedback is the contact stabilisation.
-/// The QP meets these accelerations exactly (except near a singularity) and counts on the reaction
-/// of the legs on the body. A foot far from its reference must therefore not be accelerated more
-/// than its leg can do: foot_speed limits its return. Real-time: yes.
+/// For a stance foot, p_ref is its desired position on the ground, and the feedback stabilises the
+/// contact.
+/// The QP meets these accelerations exactly (except near a singularity), and its solution includes
+/// the reaction of the legs on the body. So a foot far from its reference must not get an
+/// acceleration that its leg cannot produce: foot_speed limits the speed at which the foot returns.
+/// Real-time: yes.
 FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
                               const Dynamics& dynamics) noexcept;
 

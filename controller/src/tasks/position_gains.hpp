@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-/// Gains of the position task, for the centre of mass or the base's origin, world axes: sway in x
-/// and y, height in z.
+/// Gains of the position task, world axes: the horizontal gains in x and y, the vertical gains in
+/// z. They apply to the centre of mass or to the base's origin.
 struct PositionGains {
   explicit PositionGains(const Gains& g)
       : kp(g.com_kp_horizontal, g.com_kp_horizontal, g.com_kp_vertical),

@@ -7,8 +7,8 @@
 namespace surefoot {
 
 namespace {
-// Numerical tolerance against the squared norm of a row in H's metric: with less of it independent
-// of the active rows, the row is dependent. Test:
+// Smallest part of a row that is independent of the active rows, as a share of the row's squared
+// norm in H's metric. With a smaller part, the row counts as dependent. Numerical tolerance; test:
 // degenerate_and_near_parallel_constraints_are_solved.
 constexpr double kMinIndependent = 1e-9;
 }  // namespace
@@ -46,7 +46,8 @@ bool ActiveConstraints::start_equalities(const RowMatrix& A, const Eigen::Vector
   H_.matrixL().solveInPlace(V);
   auto R = R_.topLeftCorner(count_, count_);
   R.noalias() = V.transpose() * V;
-  // Zero rows (of a soft foot) get a unit pivot: their multiplier is zero and affects no other row.
+  // Zero rows (of a soft foot) get a unit pivot. The multiplier of such a row is zero and affects
+  // no other row.
   for (Eigen::Index k = 0; k < count_; ++k) {
     if (R(k, k) == 0.0) R(k, k) = 1.0;
   }
@@ -104,7 +105,7 @@ void ActiveConstraints::remove(Eigen::Index gone) noexcept {
   factorise(gone);
 }
 
-// 1e-300: no square root of a negative rounding error, no division by zero.
+// The bound 1e-300 avoids the square root of a negative rounding error and a division by zero.
 void ActiveConstraints::factorise(Eigen::Index from) noexcept {
   for (Eigen::Index k = from; k < count_; ++k) {
     auto l = l_.head(k);

@@ -14,23 +14,23 @@ namespace surefoot {
 ///   H x + g + sum_k m_k side_k c_k = 0.
 /// With H = L L', w = -L^-1 g and one column L^-1 side_k c_k of V per constraint:
 ///   V'V m = V'w - bounds,   x = L'^-1 (w - V m)
-/// R is the lower Cholesky factor of V'V, updated when a constraint joins or leaves.
-/// Real-time: all but the constructor.
+/// R is the lower triangular Cholesky factor of V'V. It is updated when a constraint is added or
+/// removed. Real-time: all but the constructor.
 class ActiveConstraints {
  public:
   /// @param n number of variables
-  /// @param n_eq number of equalities; some may be zero rows, so there is room for n_eq + n
-  ///   constraints
+  /// @param n_eq number of equalities. Zero rows among them take room too, so n_eq + n constraints
+  /// fit
   ActiveConstraints(int n, int n_eq);
 
-  /// Start with a QP and no constraints. @return false if H is not positive definite
+  /// Set the QP and remove all constraints. @return false if H is not positive definite
   bool start(const QpProblem& problem) noexcept;
 
   /// Add all equalities A x = b, before any other row. @return false if they depend on each other
   bool start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept;
 
-  /// Project a candidate row on the active rows. The functions below describe its residual, the
-  /// part that the active rows do not span.
+  /// Project a candidate row on the active rows. The functions below describe the residual: the
+  /// part of the candidate row that the active rows do not span.
   template <typename Row>
   void project(const Row& c, double side) noexcept {
     v_ = side * c.transpose();
@@ -40,8 +40,9 @@ class ActiveConstraints {
   double squared_residual() const noexcept {
     return squared_residual_;
   }  ///< squared norm of the residual, in H's metric
-  /// Compute the norm of the residual of a nearly dependent row. squared_residual() loses all
-  /// digits there by cancellation.
+  /// Compute the norm of the residual of a nearly dependent row, for which squared_residual() loses
+  /// all digits by cancellation. It overwrites the candidate row, so call it once, and do not
+  /// append the row afterwards.
   double residual_norm() noexcept;
   double dual_direction(Eigen::Index k) const {
     return dual_direction_[k];
@@ -63,7 +64,9 @@ class ActiveConstraints {
   Eigen::Index count() const noexcept { return count_; }
   int row(Eigen::Index k) const noexcept { return rows_[static_cast<std::size_t>(k)]; }
   double side(Eigen::Index k) const noexcept { return sides_[k]; }
-  double value(Eigen::Index k) const noexcept { return sides_[k] * bounds_[k]; }  ///< of c'x
+  double value(Eigen::Index k) const noexcept {
+    return sides_[k] * bounds_[k];
+  }  ///< c'x on its bound
   double multiplier(Eigen::Index k) const noexcept { return multipliers_[k]; }
   const Eigen::VectorXd& multipliers() const noexcept { return multipliers_; }
 
@@ -78,7 +81,7 @@ class ActiveConstraints {
   Eigen::VectorXd sides_, bounds_, multipliers_;
   Eigen::MatrixXd V_, R_;
   Eigen::VectorXd v_, l_,
-      dual_direction_;  // candidate row: v = L^-1 side c, l = R^-1 V'v, R'^-1 l
+      dual_direction_;  // candidate row: v = L^-1 side c, l = R^-1 V'v, direction = R'^-1 l
   double squared_residual_ = 0.0;
 };
 

@@ -9,11 +9,13 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// A larger violation, as share of the tolerance, counts. Chosen: below 1, so that QpCheck passes
-// the solution with a margin; above rounding. Test: test_active_set.cpp.
+// Violation above which a constraint counts as violated, as a share of the tolerance. Chosen below
+// 1, so that QpCheck accepts the solution with a margin, and above rounding errors. Test:
+// test_active_set.cpp.
 constexpr double kViolationShare = 0.1;
-// Between any two solutions, in H's metric with trace(H) = n. Chosen: far above solutions in QP
-// units (order 1). Test: nearly_parallel_constraints_are_not_reported_as_infeasible.
+// Largest plausible distance between two solutions, in H's metric with trace(H) = n. Chosen far
+// above the size of solutions in QP units (order 1). Test:
+// nearly_parallel_constraints_are_not_reported_as_infeasible.
 constexpr double kMaxDistance = 1e4;
 
 double bound_of(const QpProblem& problem, int row, double side) noexcept {
@@ -81,8 +83,8 @@ bool ActiveSet::drop_negative_multipliers() noexcept {
   }
 }
 
-// Active rows get the value of their bound, because rounding errors on them are no violations. The
-// method would exchange rows because of them.
+// Set each active row to the value of its bound. A rounding error on an active row is no violation,
+// but would make the method exchange rows.
 ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double tolerance) noexcept {
   x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
@@ -99,7 +101,7 @@ ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double t
 }
 
 // Step towards the violated constraint until it holds. If the multiplier of an active constraint
-// reaches zero before, remove that constraint and continue.
+// reaches zero before that, remove the active constraint and continue.
 ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
                                            const Violation& violation) noexcept {
   const auto& [row, side, amount] = violation;
@@ -129,9 +131,9 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
   }
 }
 
-// The violated row depends on active rows, and no multiplier limits the step: they contradict each
-// other. If the row is only nearly dependent, a distant point may satisfy all rows. ProxQP then has
-// to decide.
+// The violated row depends on active rows, and no multiplier limits the step. So these rows
+// contradict each other. If the row is only nearly dependent, a distant point may satisfy all rows.
+// ProxQP then has to decide.
 ActiveSet::Outcome ActiveSet::judge_infeasibility(double missing) noexcept {
   const bool certain = missing > kMaxDistance * rows_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;

@@ -8,19 +8,19 @@ namespace surefoot {
 /// Active-set solver for strictly convex QPs, warm started with the active set of the last QP.
 ///
 /// Method: the dual method of Goldfarb and Idnani (1983). It starts at the optimum for the initial
-/// active set. Then the most violated constraint joins the active set, one at a time. A constraint
-/// leaves when its multiplier would change sign. The method ends when no constraint is violated, or
-/// when it finds that constraints contradict each other.
-/// From one tick to the next the active set hardly changes, so most solves need one small
-/// factorisation. The caller must check the solution for rounding errors.
-/// Real-time: yes, at most max_changes changes of the active set.
+/// active set. Then it adds the most violated constraint to the active set, one at a time. It
+/// removes a constraint whose multiplier would change sign. The method ends when no constraint is
+/// violated, or when constraints contradict each other. From one tick to the next the active set
+/// hardly changes, so most solves need one small factorisation. The caller must check the solution
+/// for rounding errors. Real-time: yes, at most max_changes changes of the active set.
 class ActiveSet {
  public:
-  /// Chosen: above the 86 changes that an elastic QP needed from a cold start (24 from the active
-  /// set of the hard QP). Beyond it ProxQP takes over. docs/condensed-qp.md.
+  /// Most changes of the active set in one solve; after them ProxQP takes over. Chosen above the 86
+  /// changes that an elastic QP needed from a cold start (24 from the active set of the hard QP),
+  /// see docs/condensed-qp.md.
   static constexpr int kMaxChanges = 100;
 
-  /// @param max_changes number of constraints that may join or leave in one solve
+  /// @param max_changes number of constraints that may be added or removed in one solve
   ActiveSet(int n, int n_eq, int n_in, int max_changes = kMaxChanges);
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };
@@ -31,11 +31,11 @@ class ActiveSet {
   /// @param z in: rows with nonzero entries are the initial active set; out: multipliers of
   ///   l <= C x <= u
   /// @return kInfeasible if constraints contradict each other; kGaveUp after max_changes changes,
-  ///   on numbers that are not finite, and where rounding leaves the result open
+  /// if a number is not finite, or if rounding errors leave the result undecided
   Outcome solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x, Eigen::VectorXd& y,
                 Eigen::VectorXd& z) noexcept;
 
-  /// Return one plus the number of constraints that joined or left in the last solve.
+  /// Return one plus the number of constraints that the last solve added or removed.
   int iterations() const noexcept { return changes_ + 1; }
 
  private:
@@ -43,7 +43,7 @@ class ActiveSet {
   struct Violation {
     int row = kNone;
     double side = 0.0;    // 1: above u, -1: below l
-    double amount = 0.0;  // of the violation, positive
+    double amount = 0.0;  // size of the violation, positive
   };
   bool begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept;
   bool drop_negative_multipliers() noexcept;
@@ -53,7 +53,7 @@ class ActiveSet {
 
   Eigen::Index n_eq_;
   int max_changes_;
-  ActiveConstraints rows_;  // equalities come first and never leave
+  ActiveConstraints rows_;  // equalities come first and are never removed
   Eigen::VectorXd x_, Cx_;
   int changes_ = 0;
 };

@@ -12,16 +12,17 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 /// With three joints per leg and point feet, the foot accelerations a_f and the base acceleration
 /// a_b determine the leg accelerations a_l:
 ///   legs:    a_l = W_l a_b + w_l,   W_l = -J_l^-1 J_b,   w_l = J_l^-1 (a_f - drift)
-///   base:    (M_bb + sum M_bl W_l) a_b + sum M_bl w_l + h_b = J_b^T f   =>   a_b = B f + c
+///   base:    (M_bb + sum M_bl W_l) a_b + sum M_bl w_l + h_b = J_b^T f + wrench
+///            =>   a_b = B f + c
 ///   joints:  tau = T f + t0
-/// Dynamics and contact accelerations therefore hold for any f. docs/condensed-qp.md has the
-/// derivation.
+/// The equations of motion and the contact accelerations therefore hold for any f.
+/// docs/condensed-qp.md has the derivation.
 struct Condensed {
-  Matrix6x12 B;  ///< base acceleration from forces [N], FR FL RR RL, world axes
+  Matrix6x12 B;  ///< from forces [N] (FR FL RR RL, world axes) to the base acceleration
   Vector6 c;
-  Matrix12 T;  ///< joint torques (SDK motor order) from forces
+  Matrix12 T;  ///< from forces to joint torques (SDK motor order)
   Vector12 t0;
-  Eigen::Matrix<double, 12, 6> W;  ///< leg accelerations (SDK motor order) from a_b
+  Eigen::Matrix<double, 12, 6> W;  ///< from a_b to leg accelerations (SDK motor order)
   Vector12 w;
 
   /// Return the leg accelerations (SDK motor order) for a base acceleration.
@@ -30,7 +31,8 @@ struct Condensed {
 
 /// Compute the condensed equations of motion.
 /// @param feet_acceleration desired contact accelerations, world axes [m/s^2]
-/// @param external_wrench on the base, besides joints, feet and gravity, base axes [N], [N.m]
+/// @param external_wrench external wrench on the base, about its origin, base axes [N], [N.m]; it
+/// is added to J_b^T f
 /// @param smallest_determinant a leg whose |det J| [m^3] is smaller counts as singular
 /// @return false if a leg is singular: its foot is near hip height, or its knee is straight
 /// Real-time: yes.

@@ -15,10 +15,10 @@ namespace surefoot {
 ///
 /// condense() eliminates accelerations and torques with the equations of motion:
 ///   a_b = B f + c,   a_l = W a_b + w,   tau = T f + t0
-/// so every task and limit becomes rows on f. The QP has no equalities. Its hard constraints
-/// (friction and normal force) allow f = 0, and all others are elastic: it is always feasible.
-/// Limits: a robot with four legs of three joints and no others, and no singular leg.
-/// Real-time: build() and read_solution() yes.
+/// so every task and every limit becomes rows in f. The QP has no equalities. Its hard constraints
+/// (friction and normal force) allow f = 0, and all others are elastic. So the QP is always
+/// feasible. This form is valid only for a robot with four legs of three joints and no further
+/// joints, while no leg is singular. Real-time: build() and read_solution() yes.
 class CondensedQp {
  public:
   CondensedQp(const JointTable& joints, const QpUnits& units);
@@ -27,7 +27,7 @@ class CondensedQp {
   void build(const QpTerms& terms) noexcept;
 
   const QpProblem& problem() const noexcept { return problem_; }
-  /// Factor that scales the cost to trace(H) = n. Penalties must be scaled by it too.
+  /// Factor that scales the cost to trace(H) = n. Scale penalties by the same factor.
   double cost_scale() const noexcept { return cost_scale_; }
   /// Share of trace(H) that does not come from user tasks, 0 .. 1.
   double built_in_share() const noexcept { return built_in_share_; }

@@ -11,13 +11,18 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. `surefoot assess` measured the effect of the axes: 5 points more survival on go1
-// and go2 at 22.5 degrees off forward and backward. Tests: test_edge_braking_axes.cpp.
-// [s] for which the external force is expected to last. Below: the push would not be seen to cross
-// an edge; above: the 0.1 s of the standard push, part of which is over when it is detected.
+// These constants are chosen by hand. With the axes, `surefoot assess` measured 5 percentage points
+// more survival on go1 and go2, for pushes at 22.5 degrees from forward and backward. Tests:
+// test_edge_braking_axes.cpp.
+//
+// [s] Time for which the external force is expected to continue. If smaller, the prediction misses
+// pushes that cross an edge. If larger, it exceeds the rest of the standard push: a push of 0.1 s
+// is partly over when it is detected.
 constexpr double kPushDuration = 0.08;
-constexpr double kEdgeRange = 0.03;      // [m] inside an edge, where it begins to count
-constexpr double kMinAlongShare = 0.01;  // above zero: the body would drift along the edge
+// [m] Distance inside an edge at which the edge begins to count.
+constexpr double kEdgeRange = 0.03;
+// Smallest weight factor along the edge: above zero, so that the body does not drift along it.
+constexpr double kMinAlongShare = 0.01;
 
 }  // namespace
 
@@ -43,7 +48,7 @@ EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& st
   if (!(edge_proximity[worst] > 0.0)) return axes;
   const Eigen::Vector2d across = polygon.edge(worst, capture).outward;
   const Eigen::Vector2d along(-across.y(), across.x());
-  double other = 0.0;  // 0 .. 1: how much another edge also needs braking along this one
+  double other = 0.0;  // 0 .. 1: how much other edges require braking along the worst edge
   for (int k = 0; k < polygon.edge_count(); ++k) {
     if (k == worst) continue;
     const double part = std::abs(polygon.edge(k, capture).outward.dot(along));

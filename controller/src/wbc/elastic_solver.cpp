@@ -7,10 +7,12 @@ namespace surefoot {
 
 namespace {
 
-// Ticks without slack before the hard QP is solved again. Chosen: below, both QPs in many ticks;
-// above, the larger QP for longer than needed. Test: elastic_mode_lasts_equally_long_each_time.
+// Number of ticks without slack after which the hard QP is solved again. Chosen. With fewer, many
+// ticks solve both QPs; with more, ticks solve the larger QP for longer than needed. Test:
+// elastic_mode_lasts_equally_long_each_time.
 constexpr int kTicksWithoutSlack = 10;
-// A larger slack counts as a violation. Numerical: ten times the default tolerance (1e-6).
+// Slack above which a constraint counts as violated. Numerical: ten times the default tolerance
+// (1e-6).
 constexpr double kMinSlack = 1e-5;
 
 int elastic_count(const ElasticRows& rows) {
@@ -21,8 +23,9 @@ int elastic_count(const ElasticRows& rows) {
 
 }  // namespace
 
-// ProxQP begins no further attempt after this many inner iterations. Chosen: the elastic QP has
-// about twice the variables and may take more; above, a tick that exceeds its period.
+// Inner iterations of ProxQP after which no further attempt begins. Chosen: the elastic QP has
+// about twice the variables, so it gets a larger budget. With still larger budgets, a tick could
+// exceed its period.
 const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
 const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt each
 

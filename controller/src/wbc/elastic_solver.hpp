@@ -9,7 +9,7 @@ namespace surefoot {
 
 /// The elastic rows of C and their groups.
 struct ElasticRows {
-  int groups = 0;
+  int groups = 0;          ///< number of groups
   std::vector<int> group;  ///< per row of C: its group, or -1 for a hard row
 };
 
@@ -19,17 +19,18 @@ struct ElasticRows {
 /// The rows of group k share the slack s_k; hard rows have none. The QP is feasible if its hard
 /// constraints are.
 ///
-/// The penalty is linear and therefore exact (Nocedal and Wright 2006, thm. 17.3). Take the QP
-/// with all rows hard. If the sum of its multipliers is at most penalty_k in every group, its
-/// solution also solves the elastic QP with s = 0. The solver uses this: it solves the small hard
-/// QP first, and the larger elastic QP only if the hard one is infeasible or exceeds a penalty.
-/// While slacks are nonzero, and for ten ticks after, it goes straight to the elastic QP.
+/// The penalty is linear and therefore exact (Nocedal and Wright 2006, thm. 17.3). The hard QP is
+/// the QP with all rows hard. If the sum of the |multipliers| of each group k is at most penalty_k,
+/// the solution of the hard QP also solves the elastic QP, with s = 0. So the solver first solves
+/// the small hard QP. It solves the larger elastic QP only if the hard QP is infeasible or a sum
+/// exceeds its penalty. While a slack is nonzero, and for ten ticks afterwards, it solves the
+/// elastic QP alone.
 /// Real-time: solve() yes.
 class ElasticSolver {
  public:
   ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance);
 
-  /// Set the tolerance, from the next solve on.
+  /// Set the tolerance for the next solves.
   void set_tolerance(double tolerance) noexcept {
     hard_solver_.set_tolerance(tolerance);
     elastic_solver_.set_tolerance(tolerance);
@@ -41,13 +42,15 @@ class ElasticSolver {
   QpResult solve(const QpProblem& problem, const Eigen::VectorXd& penalty,
                  double curvature) noexcept;
 
-  /// Solve from a cold start. After the active-set method ProxQP gets one attempt only.
+  /// Solve from a cold start. In each QP, ProxQP gets only one attempt after the active-set method.
   QpResult solve_cold(const QpProblem& problem, const Eigen::VectorXd& penalty,
                       double curvature) noexcept;
 
   void reset() noexcept;
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
+  /// Return whether the next solve starts with the elastic QP: a slack was nonzero in the last ten
+  /// solves.
   bool slack_active() const noexcept { return slack_active_; }
   /// Return the QP that was solved last: `problem`, or the elastic QP with slacks.
   const QpProblem& solved_problem(const QpProblem& problem) const noexcept {
@@ -69,7 +72,7 @@ class ElasticSolver {
 
   int n_, n_in_;
   ElasticRows rows_;
-  std::vector<int> lower_row_;  // row of elastic_ with an elastic row's lower bound, or -1
+  std::vector<int> lower_row_;  // per row of C: row of elastic_ with its lower bound; -1: hard row
   QpProblem elastic_;
   QpSolver hard_solver_, elastic_solver_;
   Eigen::VectorXd x_, slack_, group_multipliers_, start_multipliers_;

@@ -8,17 +8,19 @@
 namespace surefoot {
 
 namespace {
-// Depth: of a stance foot below its hip axis. Determinants are relative to smallest_determinant.
-// Chosen by hand; tests: test_form_selector.cpp, test_singular_legs.cpp.
-// [m] a regular leg becomes singular below it. Above: the 0.07 of the gain reach_foot_depth, which
-// references keep.
+// Depths [m] are distances of a stance foot below its hip axis. Determinants are |det J|, relative
+// to smallest_determinant. All constants are chosen by hand. Tests: test_form_selector.cpp,
+// test_singular_legs.cpp.
+//
+// [m] Depth below which a regular leg becomes singular. It is less than the 0.07 m that body
+// references keep (gain reach_foot_depth).
 constexpr double kSmallestDepth = 0.05;
-constexpr double kRegularDepth = 0.06;       // [m] a singular leg becomes regular: 1 cm hysteresis
-constexpr double kRegularDeterminant = 1.2;  // a singular leg becomes regular: 20 % hysteresis
-// Ranges below kSmallestDepth and below 1 in which softness rises to 1: wide enough that torques do
-// not step, and over before the singularity itself.
-constexpr double kSoftDepth = 0.02;       // [m]
-constexpr double kSoftDeterminant = 0.7;  // of smallest_determinant
+constexpr double kRegularDepth = 0.06;       // [m] above it a singular leg becomes regular
+constexpr double kRegularDeterminant = 1.2;  // above it a singular leg becomes regular
+// Softness rises from 0 to 1 over this depth below kSmallestDepth, and over this determinant below
+// 1. The ranges are wide enough that torques do not step, and end before the singularity itself.
+constexpr double kSoftDepth = 0.02;  // [m]
+constexpr double kSoftDeterminant = 0.7;
 }  // namespace
 
 QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference,

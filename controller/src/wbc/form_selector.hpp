@@ -15,18 +15,18 @@ namespace surefoot {
 /// with a softness of 0 .. 1. Real-time: yes.
 class FormSelector {
  public:
-  /// @param smallest_determinant [m^3] a leg's Jacobian below it is not inverted
+  /// @param smallest_determinant [m^3] legs with a smaller |det J| are not inverted
   explicit FormSelector(double smallest_determinant)
       : smallest_determinant_(smallest_determinant) {}
 
   /// Update singular() and softness() for this pose.
-  /// @return `requested` unless it is kAuto; then kCondensed, or kGeneral if a leg is near singular
-  /// or the robot has further joints
+  /// @return `requested` unless it is kAuto. For kAuto: kGeneral if a leg is nearly singular or the
+  ///   robot has further joints, else kCondensed
   QpForm update(const Dynamics& dynamics, const Reference& reference, QpForm requested) noexcept;
 
   const std::array<bool, kLegs>& singular() const noexcept { return singular_; }
-  /// Softness of each foot: 0: its acceleration is met exactly; 1: it is a task of weight
-  /// `weight_foot_soft`; between: a heavier task.
+  /// Softness of each foot. 0: the QP meets its acceleration exactly. 1: its acceleration is a task
+  /// of weight `weight_foot_soft`. Between 0 and 1: a task of larger weight.
   const Eigen::Vector4d& softness() const noexcept { return softness_; }
 
  private:

@@ -10,8 +10,9 @@ namespace surefoot {
 namespace {
 constexpr int kForces = QpLayout::kForces;
 constexpr int kEqualities = 6 + kForces;
-// Weight of the squared equalities in the cost, to make H positive definite. Any positive value
-// gives the same solution, because they hold; 1 is the size of the other rows.
+// Weight of the squared equalities in the cost, which make H positive definite. They are zero at
+// the solution, so any positive weight gives the same solution. Chosen: 1, the size of the other
+// rows.
 constexpr double kEqualityWeight = 1.0;
 }  // namespace
 
@@ -119,7 +120,8 @@ void GeneralQp::add_body(const BodyRows& rows) noexcept {
   }
 }
 
-// The foot reaches the acceleration that its leg can still produce. The cost is per g of error.
+// Add the foot acceleration as a task, with the error in units of g. The foot then gets the
+// acceleration that its leg can still produce.
 void GeneralQp::add_soft_foot(const Dynamics& dynamics, const QpTerms& terms, int leg) noexcept {
   const double scale = 1.0 / units_.linear;
   for (int k = 0; k < 3; ++k) {

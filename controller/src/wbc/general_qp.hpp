@@ -9,15 +9,16 @@
 
 namespace surefoot {
 
-/// The QP in general form, on accelerations and contact forces: x = [a / unit, f / unit]. It holds
-/// for any pose, singular legs included, and for robots with further joints.
+/// The QP in general form, on accelerations and contact forces: x = [a / unit, f / unit]. This form
+/// is valid for any pose, singular legs included, and for robots with further joints.
 ///
 ///   equalities: the six equations of motion of the base; the foot accelerations
 ///   torques:    tau = M_j a + h_j - J_j' f, bounded by inequality rows
-/// The foot acceleration of a leg near singular is a task in the cost instead (FormSelector).
-/// Tasks and limits are those of CondensedQp; where both forms hold, their solutions agree.
-/// The cost also has a multiple of the squared equality rows. It is zero where the equalities hold,
-/// so the solution does not change, and it makes H positive definite.
+/// If a leg is nearly singular, its foot acceleration is a task in the cost instead (FormSelector).
+/// The tasks and limits are the same as in CondensedQp. Where both forms are valid, their solutions
+/// agree.
+/// The cost also contains a multiple of the squared equality rows, which makes H positive definite.
+/// This part is zero where the equalities hold, so it does not change the solution.
 /// Real-time: build() and read_solution() yes.
 class GeneralQp {
  public:
@@ -27,7 +28,7 @@ class GeneralQp {
   void build(const Dynamics& dynamics, const QpTerms& terms) noexcept;
 
   const QpProblem& problem() const noexcept { return problem_; }
-  /// Factor that scales the cost to trace(H) = n. Penalties must be scaled by it too.
+  /// Factor that scales the cost to trace(H) = n. Scale penalties by the same factor.
   double cost_scale() const noexcept { return cost_scale_; }
   /// Share of trace(H) that does not come from user tasks, 0 .. 1.
   double built_in_share() const noexcept { return built_in_share_; }

@@ -5,8 +5,8 @@ namespace surefoot {
 
 namespace {
 
-// Numerical tolerance on the length of unit quaternions and normals: above the rounding of float
-// (1e-7). The QP assumes length 1, so its error is at most of this size.
+// Tolerance of the norm of unit quaternions and ground normals. Numerical: above the rounding of a
+// float (1e-7). The QP assumes a norm of 1, so this tolerance bounds the error of that assumption.
 constexpr double kUnitTolerance = 1e-3;
 
 bool finite(const Reference& r) noexcept {

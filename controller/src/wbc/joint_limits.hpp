@@ -15,7 +15,7 @@ struct JointLimits {
         a_upper(tau_lower),
         a_released(tau_lower) {}
   Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
-  Eigen::VectorXd a_lower, a_upper;      ///< [rad/s^2] that keep position and velocity in range
+  Eigen::VectorXd a_lower, a_upper;  ///< [rad/s^2] limits that keep position and velocity in range
   Eigen::VectorXd a_released;  ///< [rad/s^2] by how much the QP widens a_lower and a_upper, see
                                ///< release_unloaded_legs()
 };

@@ -3,7 +3,8 @@
 
 #include <proxsuite/linalg/dense/core.hpp>
 
-// Replaces one function of ProxSuite 0.8.0 so that solve() allocates nothing, as it documents.
+// Replaces one function of ProxSuite 0.8.0 so that QpSolver::solve() allocates nothing, as its
+// documentation says.
 // The LDLT update of ProxSuite computes
 //   dst += (factor * lhs) * rhs
 // with dynamic sizes. If dst has one row, Eigen evaluates `factor * lhs` into a heap vector: a few

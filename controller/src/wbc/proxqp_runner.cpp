@@ -12,13 +12,15 @@ namespace {
 
 namespace proxqp = proxsuite::proxqp;
 
-// Duality gap requested of ProxQP, times the tolerance. Chosen below 1: ProxQP sums over rows,
-// QpCheck judges each row.
+// Duality gap at which ProxQP stops, as a share of the tolerance. Chosen below 1, because ProxQP
+// judges the sum over all rows, but QpCheck judges each row.
 constexpr double kSolverGap = 0.1;
-// Smaller multipliers are rounding residues. Between the residues seen (1e-24) and the tolerance.
+// Multipliers smaller than this are rounding residues. Chosen between the residues seen (1e-24) and
+// the tolerance.
 constexpr double kResidue = 1e-12;
-// Iterations of one attempt, chosen: ProxQP has no time limit, 96 inner iterations bound it. An
-// attempt that ends there continues from corrected multipliers (QpSolver).
+// Largest numbers of outer iterations in an attempt, and of inner iterations in an outer one.
+// Chosen: ProxQP has no time limit, so 12 x 8 = 96 inner iterations bound the time of an attempt.
+// QpSolver then corrects the multipliers and starts another attempt.
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -37,11 +39,11 @@ ProxqpRunner::ProxqpRunner(int n, int n_eq, int n_in)
   qp.settings.max_iter = kMaxOuter;
   qp.settings.max_iter_in = kMaxInner;
   // With the default 1e-4 ProxQP 0.8.0 reports feasible balance QPs as infeasible after a warm
-  // start; with 1e-9 and below none of 3000 was.
+  // start; with 1e-9 or less it reported none of 3000 QPs.
   qp.settings.eps_primal_inf = 1e-12;
   qp.settings.eps_dual_inf = 1e-12;
   // With primal and dual residuals alone, ProxQP may stop with nonzero multipliers on inactive
-  // rows. Such forces look converged but are not optimal. The duality gap detects them.
+  // rows. Such a result looks converged but is not optimal. The duality gap detects it.
   qp.settings.check_duality_gap = true;
   qp.settings.eps_duality_gap_rel = 0.0;
   qp.settings.default_mu_in = 1e-2;  // chosen: 1e-3 to 1e-1 solve these QPs; 1e-1 is the default
@@ -74,8 +76,8 @@ void ProxqpRunner::set_problem(const QpProblem& problem) noexcept {
   model.u = problem.u.cwiseMin(kNoBound);
 }
 
-// QP::update() allocates and rescales. The QP is already scaled and of fixed size, so copy it to
-// the fields that update() would fill, request a factorisation, and call the solver directly.
+// QP::update() allocates and rescales. The QP is already scaled and has a fixed size. So copy the
+// QP to the fields that update() would fill, request a factorisation, and call the solver directly.
 ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   auto& qp = workspace_->qp;
   auto& work = qp.work;

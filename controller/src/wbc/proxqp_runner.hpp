@@ -9,7 +9,8 @@ namespace surefoot {
 
 /// ProxQP's dense solver for scaled QPs of one size, without memory allocation in run().
 ///
-/// x, y and z are the start of a run and its result. The caller must check the result.
+/// x, y and z are the initial guess of a run, and afterwards its result. The caller must check the
+/// result.
 /// Real-time: all but the constructor.
 class ProxqpRunner {
  public:

@@ -8,8 +8,9 @@ namespace surefoot {
 
 namespace {
 
-// Residuals up to this many times the tolerance pass. Chosen above 1, because the residuals by
-// which a solver stops differ from these. docs/qp-benchmark.md judges all solvers by the same 5e-6.
+// Largest accepted residual, as a multiple of the tolerance. Chosen above 1, because each solver
+// stops by its own residuals, which differ from those computed here. docs/qp-benchmark.md judges
+// all solvers by the same limit, 5e-6.
 constexpr double kAccept = 5.0;
 
 // Zero times NaN or infinity is NaN, so one sum checks all entries. allFinite() tests each entry
@@ -19,7 +20,7 @@ bool is_finite(const Values& values) {
   return (values.array() * 0.0).sum() == 0.0;
 }
 
-// No early exit, so that the compiler vectorises the loop.
+// The loop has no early exit, so that the compiler can vectorise it.
 bool has_nan(const Eigen::VectorXd& values) {
   bool found = false;
   for (Eigen::Index i = 0; i < values.size(); ++i) found |= !(values[i] == values[i]);
@@ -39,8 +40,8 @@ QpCheck::QpCheck(int n, int n_eq, int n_in)
       Cx_(Eigen::VectorXd::Zero(n_in)),
       gradient_(Eigen::VectorXd::Zero(n)) {}
 
-// A multiplier on a side without a bound is an error of its whole size. A multiplier larger than
-// one counts as one: it means that the row must be on its bound, and its size adds nothing.
+// A multiplier on a side without a bound is an error: its own size is the gap. A multiplier above 1
+// counts as 1, because a larger multiplier also only means that the row must be on its bound.
 double QpCheck::row_gap(double z, double Cx, double l, double u) noexcept {
   const double bound = z > 0.0 ? u : l;
   return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0);

@@ -12,15 +12,15 @@ class QpCheck {
   QpCheck(int n, int n_eq, int n_in);
 
   /// Compute the residuals of x, y, z.
-  /// @return status kOk if the residuals are at most 5 times and the gap at most once the
-  ///   tolerance, else kMaxIterations
+  /// @return residuals and gap; status kOk if the residuals are at most 5 times the tolerance and
+  ///   the gap is at most the tolerance, else kMaxIterations
   QpResult operator()(const QpProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                       const Eigen::VectorXd& z, double tolerance) noexcept;
 
   /// C x of the last solution checked.
   const Eigen::VectorXd& Cx() const noexcept { return Cx_; }
 
-  /// Return whether the QP has no NaN, and infinities in l and u only.
+  /// Return whether no entry of the QP is NaN, and none is infinite except in l and u.
   static bool finite(const QpProblem& problem) noexcept;
 
   /// Return min(|z|, 1) times the distance of Cx from its bound: u for z > 0, else l. A missing

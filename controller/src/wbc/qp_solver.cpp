@@ -12,10 +12,10 @@ namespace {
 
 // Chosen by hand. Tests: proxqp_alone_solves_97_percent_of_degenerate_qps,
 // both_methods_meet_a_tolerance_of_1e_minus_12.
-constexpr int kWarmAttempts = 3;  // one warm, two more without wrong multipliers
-constexpr int kAttempts = 6;      // the warm attempts, then a cold one and two more
-constexpr double kTight = 1e-8;   // tolerances below it are for offline checks, without a deadline
-constexpr int kTightFactor = 10;  // on attempts and budget, for such a tolerance
+constexpr int kWarmAttempts = 3;  // a warm start, then two without its wrong multipliers
+constexpr int kAttempts = 6;      // the warm attempts, then a cold start and two more
+constexpr double kTight = 1e-8;   // smaller tolerances are for offline checks without a deadline
+constexpr int kTightFactor = 10;  // factor on attempts and budget for such a tolerance
 
 }  // namespace
 
@@ -65,13 +65,13 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasi
     return result;
   }
   if (result.status == Status::kInfeasible && feasibility == Feasibility::kDoubtful) return result;
-  const int changes = result.iterations;  // reported, but they do not count against the budget
+  const int changes = result.iterations;  // added to the result, but not counted against the budget
   result = run_proxqp(problem, budget);
   result.iterations += changes;
   return result;
 }
 
-// Between ticks the active set hardly changes, so this usually finds the solution.
+// Between ticks the active set hardly changes, so ActiveSet usually finds the solution.
 QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
   ActiveSet& active_set = workspace_->active_set;
   ProxqpRunner& proxqp = workspace_->proxqp;

@@ -37,15 +37,16 @@ class QpSolver {
 
   /// Solve a QP, warm started from the last solution.
   ///
-  /// While ProxQP's solution fails the check, further attempts start from it without its wrong
-  /// multipliers; the fourth attempt is a cold start.
+  /// If ProxQP's result fails the check, the next attempt starts from this result without its wrong
+  /// multipliers. The fourth attempt is a cold start.
   /// @param budget inner iterations of ProxQP after which no further attempt begins
   /// @param feasibility kDoubtful: if ActiveSet finds contradicting constraints, the solve ends
-  ///   with kInfeasible. kCertain: a contradiction can only be rounding, so ProxQP runs
+  ///   with kInfeasible. kCertain: a solution exists, so the contradiction is a rounding error, and
+  ///   ProxQP runs
   QpResult solve(const QpProblem& problem, int budget = kBudget,
                  Feasibility feasibility = Feasibility::kCertain) noexcept;
-  /// Default budget, for callers without a deadline: about one full attempt (96). ElasticSolver has
-  /// its own.
+  /// Default budget, for callers without a deadline: about one full attempt (96 inner iterations).
+  /// ElasticSolver passes its own budgets.
   static constexpr int kBudget = 100;
 
   /// Forget the last solution: the next solve is a cold start.
@@ -54,7 +55,7 @@ class QpSolver {
   /// Start the next solve with the rows of nonzero z as active set.
   void warm_start_from(const Eigen::VectorXd& z) noexcept;
 
-  /// Set the tolerance, from the next solve on.
+  /// Set the tolerance for the next solves.
   void set_tolerance(double tolerance) noexcept;
 
   const Eigen::VectorXd& x() const noexcept;

@@ -28,16 +28,17 @@ struct QpTerms {
         posture_weight(Eigen::VectorXd::Zero(joints)) {}
 
   FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< desired, world axes [m/s^2]
-  Vector6 external_wrench = Vector6::Zero();          ///< on the base, base axes [N], [N.m]
-  Condensed condensed;                                ///< valid if has_condensed
+  /// External wrench on the base, about its origin, base axes [N], [N.m].
+  Vector6 external_wrench = Vector6::Zero();
+  Condensed condensed;         ///< valid if has_condensed
   bool has_condensed = false;  ///< false: a leg is singular, or the robot has further joints
-  /// Per foot, 0 .. 1. 0: the foot acceleration is an equality; more: a task in the cost.
+  /// Per foot, 0 .. 1. 0: the foot acceleration is an equality. Above 0: it is a task in the cost.
   Eigen::Vector4d foot_softness = Eigen::Vector4d::Zero();
   Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();  ///< weight of that task
-  std::array<BodyRows, 3> body;  ///< position, orientation, angular momentum
-  int body_tasks = 0;
-  Vector12 forces = Vector12::Zero();  ///< towards which the cost pulls [N], FR FL RR RL
-  double weight_force = 0.0;
+  std::array<BodyRows, 3> body;        ///< position, orientation, angular momentum
+  int body_tasks = 0;                  ///< number of entries of `body` in use
+  Vector12 forces = Vector12::Zero();  ///< desired contact forces [N], FR FL RR RL, world axes
+  double weight_force = 0.0;           ///< weight of the error in these forces
   JointLimits limits;
   Eigen::VectorXd posture;         ///< desired joint accelerations [rad/s^2]
   Eigen::VectorXd posture_weight;  ///< per joint; 0: the posture does not act on it

@@ -16,6 +16,7 @@
 #include "tasks/posture_task.hpp"
 #include "wbc/edge_braking_axes.hpp"
 #include "wbc/hold_down.hpp"
+#include "wbc/qp_layout.hpp"
 #include "wbc/released_legs.hpp"
 #include "wbc/support_edge.hpp"
 
@@ -23,9 +24,9 @@ namespace surefoot {
 
 namespace {
 
-// Weight factor of a foot that has just become soft, falling to 1 geometrically. Chosen: below, a
-// step of torque where the equality ends; above, a worse condition number of H. Test:
-// torques_stay_bounded_and_continuous_through_a_singularity.
+// Weight factor of a foot that has just become soft. The factor falls geometrically to 1 at full
+// softness. Chosen. If smaller, the torques step where the equality ends; if larger, H has a worse
+// condition number. Test: torques_stay_bounded_and_continuous_through_a_singularity.
 constexpr double kMaxSoftFactor = 10.0;
 
 // Return the external force and moment as a wrench about the base's origin, base axes.
@@ -113,8 +114,9 @@ void QpTermsWriter::write_body(const Gains& gains, const Dynamics& dynamics,
   write_even_forces(dynamics, desired, state, load_shares(gains, state.contact, reference));
 }
 
-// The even forces meet the rows of the position and the orientation task. Without the condensed
-// equations they meet the wrench that the tasks need on the robot with locked joints.
+// The even forces meet the rows of the position and the orientation task. If the condensed
+// equations are not valid, the even forces produce the wrench that moves the robot with locked
+// joints as desired.
 void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAcceleration& desired,
                                       const RobotState& state,
                                       const Eigen::Vector4d& share) noexcept {

@@ -14,14 +14,14 @@ namespace surefoot {
 
 namespace {
 
-// Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. Below it
-// the knee is nearly straight or the foot near hip height, and joint accelerations become large.
-// Chosen: below, joint accelerations ten times those of standing; above, poses that BodyReference
-// allows.
+// Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. At
+// smaller determinants the knee is nearly straight or the foot is near hip height, and joint
+// accelerations become large. Chosen: at this share they are ten times those of the standing pose.
+// A larger share would exclude poses that BodyReference allows.
 constexpr double kSmallestShare = 0.1;
 
-// Return the norm, per axis, of the matrix from contact forces to the angular acceleration of the
-// base: with fixed feet if the condensed form holds, else with locked joints.
+// Return the norm of each row of the matrix from contact forces to the angular acceleration of the
+// base. The feet are fixed if the condensed form is valid; otherwise the joints are locked.
 Vector3 angular_row_lengths(const Dynamics& dynamics) {
   Eigen::Matrix<double, 3, 12> rows;
   Condensed condensed;
@@ -40,7 +40,8 @@ Vector3 angular_row_lengths(const Dynamics& dynamics) {
 
 }  // namespace
 
-// 1e-9 [m^3]: a determinant below it is rounding; a standing leg has about a link length cubed.
+// A determinant below 1e-9 m^3 is a rounding error. In the standing pose the determinant is about
+// the cube of a link length.
 QpUnits::QpUnits(const Robot& robot) {
   Dynamics dynamics(robot);
   dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());

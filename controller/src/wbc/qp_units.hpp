@@ -16,7 +16,7 @@ struct QpUnits {
   double angular = 1.0;  ///< [rad/s^2] angular acceleration of base and joints: g / length
   // Factors that bring the rows of the body tasks to length one in the standing pose.
   double scale_com = 1.0, scale_base = 1.0, scale_angular = 1.0, scale_momentum = 1.0;
-  double smallest_determinant = 0.0;  ///< [m^3] a leg's Jacobian below it is not inverted
+  double smallest_determinant = 0.0;  ///< [m^3] legs with a smaller |det J| are not inverted
 };
 
 }  // namespace surefoot

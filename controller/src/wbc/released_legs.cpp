@@ -8,10 +8,12 @@
 namespace surefoot {
 
 namespace {
-// [rad/s^2] more than the QP requires of any leg. Chosen: above the 400 that thrown legs took.
+// [rad/s^2] Largest widening of the joint acceleration limits. Chosen: more than the QP requires of
+// any leg; runaway legs took 400.
 constexpr double kReleasedRange = 1e4;
-constexpr int kSweeps = 20;  // chosen: further sweeps change next to nothing with three joints
-constexpr double kMinLever = 1e-9;  // [m^2] numerical: a joint that does not move the foot
+constexpr int kSweeps = 20;  // chosen: with three joints, further sweeps hardly change the result
+constexpr double kMinLever =
+    1e-9;  // [m^2] numerical: avoids division by zero if a joint does not move the foot
 
 // Bounds on the accelerations of a leg's joints [rad/s^2].
 struct Bounds {
@@ -54,7 +56,8 @@ Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& b
   return a;
 }
 
-// Return the change of a leg's joint accelerations [rad/s^2] that keeps its own limits.
+// Return the change [rad/s^2] of a leg's joint accelerations that brings them within the leg's
+// bounds.
 Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
                         const Vector3& desired) noexcept {
   const Bounds bounds = released_bounds(limits, leg, desired);

@@ -9,9 +9,9 @@ namespace surefoot {
 // Released legs: near the support edge the QP releases a leg whose foot carries no load.
 //
 // The QP meets foot accelerations exactly. A stretched leg at its joint limit therefore limits the
-// motion of the body, even if its foot carries no load: with the capture point at the support edge,
-// an unloaded stretched front leg turns the robot over its last rear foot. The three functions
-// below prevent this, in the order of their use in a tick:
+// motion of the body, even if its foot carries no load. With the capture point at the support edge,
+// an unloaded stretched front leg would turn the robot over the rear foot that still carries load.
+// The three functions below prevent this, in the order of their use in a tick:
 //   1. release_unloaded_legs() widens the joint acceleration limits of the leg in the QP;
 //   2. limit_foot_accelerations() reduces the desired foot acceleration to what the leg can do;
 //   3. clamp_released_legs() applies the leg's own limits to the solution of the QP.
@@ -28,16 +28,18 @@ void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::V
 
 /// Reduce the desired foot accelerations of released legs to what their joints can do.
 ///
-/// The QP meets foot accelerations exactly and counts on the reaction of the legs on the body. If a
-/// stretched leg cannot produce the acceleration, that reaction is missing and the robot tips over.
-/// Assumption: the base does not accelerate, because its acceleration is not known before the QP.
+/// The QP meets foot accelerations exactly, and its solution includes the reaction of the legs on
+/// the body. If a stretched leg cannot produce the acceleration, this reaction is missing and the
+/// robot tips over. Assumption: the base does not accelerate, because its acceleration is not known
+/// before the QP.
 /// Real-time: yes.
 /// @param smallest_determinant legs with a smaller |det J| [m^3] are not changed
 /// @param feet_acceleration in and out, world axes [m/s^2]
 void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limits,
                               double smallest_determinant, FeetMatrix& feet_acceleration) noexcept;
 
-/// Limit the accelerations of released legs to their own joint limits, after the QP.
+/// Limit the accelerations of released legs to the joint limits that apply without widening, after
+/// the QP.
 ///
 /// If one joint reaches its limit, the other joints of the leg are recomputed, so that the foot
 /// acceleration stays as close as possible to the solution (least squares). With each joint clamped

@@ -17,8 +17,9 @@ namespace surefoot {
 // Independent of edge_fade(), braking across the edge comes before braking along it
 // (edge_braking_axes.hpp).
 
-/// Compute the edge fade: clamp(margin / edge_margin, 0, 1), with the capture point's distance
-/// inside the support polygon as margin. 1 also with fewer than three stance feet.
+/// Compute the edge fade, 0 .. 1: clamp(margin / edge_margin, 0, 1), where `margin` [m] is the
+/// distance of the capture point inside the support polygon. With fewer than three stance feet it
+/// is 1.
 /// Real-time: yes.
 double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
 
@@ -27,15 +28,16 @@ double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& 
 ///   |alpha_xy| <= slow (1 + 30 fade^2) g / length
 ///   slow = clamp(1.6 (1 - v_up / edge_rise), 0, 1)
 ///
-/// Height: hard braking throws the body up. If it then falls freely, the feet carry no load and
-/// cannot brake. So the feet keep at least edge_load. Away from the edge the bound is only a little
-/// lower, because a body that starts to fall there still falls when it reaches the edge.
-/// Tilt: braking also tilts the body. Turning it back at once takes the force that brakes the push,
-/// so it turns back slowly until the capture point is inside again. The feet that turn it back also
-/// push it further up, so a body that rises fast turns back less or not at all.
+/// Height: hard braking throws the body up. If the body then falls freely, the feet carry no load
+/// and cannot brake. So the feet keep at least edge_load. Away from the edge the bound is only a
+/// little lower, because a body that starts to fall there still falls when it reaches the edge.
+/// Tilt: braking also tilts the body. Turning the body back at once would take the force that
+/// brakes the push. So the body turns back slowly until the capture point is inside again. Feet
+/// that turn the body back also push it further up. So a body that rises fast turns back less or
+/// not at all.
 /// Real-time: yes.
 /// @param fade edge_fade(), 0 .. 1
-/// @param length [m] height of the hips above the ground
+/// @param length [m] QpUnits::length: height of the hips above the ground in the standing pose
 /// @param v_up [m/s] vertical velocity of the centre of mass
 /// @param desired in and out, world axes
 void bound_at_edge(const Gains& gains, double fade, double length, double v_up,

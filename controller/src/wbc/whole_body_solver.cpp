@@ -9,20 +9,21 @@ namespace surefoot {
 
 namespace {
 
-// Share of tau_max: a motor this close to a limit is saturated. Numerical: above what residuals of
-// 5e-6 (QP units) move a torque.
+// Distance from a torque limit below which a motor counts as saturated, as a share of tau_max.
+// Numerical: residuals of 5e-6 (QP units) move a torque by less than this.
 constexpr double kSaturated = 1e-3;
-// Of the slacks' cost, before scaling. Chosen: above 0 for a strictly convex QP; the linear
-// penalties (gains penalty_*) make the constraints exact.
+// Curvature of the slacks' cost, before scaling. Chosen above 0, so that the QP is strictly convex.
+// The linear penalties (gains penalty_*) make the constraints exact.
 constexpr double kCurvature = 1.0;
-// Numerical: smallest tolerance that rounding allows. Test:
+// Smallest reduced tolerance. Numerical: rounding errors allow no smaller tolerance. Test:
 // both_methods_meet_a_tolerance_of_1e_minus_12.
 constexpr double kTightest = 1e-12;
-// Tolerance factor of a cold solve. Chosen: above 1, or it would fail as the first solve did; 1e-5
-// is far below a newton. Test: cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
+// Factor on the tolerance for a cold solve. Chosen above 1, because the first solve has failed at
+// the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
+// cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
 constexpr double kRelaxed = 10.0;
-// Share of trace(H) that user tasks must leave. Derived: with the default tolerance 1e-6 the
-// reduced tolerance stays ten times above kTightest.
+// Smallest share of trace(H) that user tasks must leave to the other tasks. Derived: with the
+// default tolerance 1e-6, the reduced tolerance is then at least ten times kTightest.
 constexpr double kMinBuiltInShare = 1e-5;
 
 ElasticRows elastic_rows(const JointTable& joints) {

@@ -1,4 +1,4 @@
-"""Reference controllers for comparison: joint PD, and balance by contact forces."""
+"""Reference controllers for comparison: a joint PD controller, and a QP on contact forces."""
 
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,7 @@
 """Balance control by contact forces, after the published equations of unitree_guide.
 
-Source: unitreerobotics/unitree_guide, BalanceCtrl and State_BalanceTest. The robot is one rigid
-body. A PD law of its pose gives the desired acceleration
+Source: unitreerobotics/unitree_guide, BalanceCtrl and State_BalanceTest. The model of the robot is
+one rigid body. A PD law on its pose gives the desired acceleration
 
     a = 150 (p_d - p) - 25 v,    dw = 200 log(R_d R') - 30 w.
 
@@ -9,13 +9,14 @@ The contact forces f (12,) of four stance feet minimise
 
     |A f - b|_S^2 + 0.001 |f|_W^2 + 0.1 |f - f_last|_U^2,    b = (m (a - g), R I R' dw)
 
-in friction pyramids |f_x|, |f_y| <= mu f_z. The torques are tau = -J' f, with joint gains 0.8 / 0.8
-around the measured angles. The QP has no gyroscopic term and no limits of force or torque; the
-torques are clipped afterwards.
+within the friction pyramids |f_x|, |f_y| <= mu f_z. The torques are tau = -J' f. The motors add
+joint gains of 0.8 / 0.8 around the measured angles. The QP has no gyroscopic term and no limits of
+force or torque; the torques are clipped afterwards.
 
-Differences from the source: mass, inertia and centre of mass are those of the whole model, and the
-QP treats its legs as massless. mu comes from the robot's TOML, because the robot survives smaller
-pushes with the source's 0.4. The state comes from surefoot.StateEstimator. The solver is NNLS.
+Differences from the source: mass, inertia and centre of mass are those of the whole robot, legs
+included; the QP itself has massless legs. mu comes from the robot's TOML, because with the value
+0.4 of the source the robot survives only smaller pushes. The state comes from
+surefoot.StateEstimator. The solver is NNLS (non-negative least squares).
 """
 
 from __future__ import annotations
@@ -31,7 +32,8 @@ from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 from surefoot.sim.lip_push_limit import GRAVITY
 
-# Values of unitree_guide: gains of State_BalanceTest, weights of BalanceCtrl; see the docstring.
+# Values of unitree_guide: gains of State_BalanceTest, weights of BalanceCtrl. The docstring of this
+# module has the formulas in which these symbols occur.
 KP_POSITION, KD_POSITION = 150.0, 25.0  # [1/s^2], [1/s]
 KP_ROTATION, KD_ROTATION = 200.0, 30.0  # [1/s^2], [1/s]
 S = np.array([20.0, 20.0, 50.0, 450.0, 450.0, 450.0])
@@ -45,7 +47,7 @@ _PYRAMID_SIGNS = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
 
 
 class ForceQp:
-    """Controller that holds the body pose of the first sample with contact forces.
+    """Controller that uses contact forces to keep the body pose of the first sample.
 
     Args:
         robot: Model of the robot.
@@ -107,15 +109,15 @@ class ForceQp:
         return np.concatenate([self._mass * (a + up), R @ self._inertia @ R.T @ dw])
 
     def _force_to_torque(self, frame: int, force: Array) -> Array:
-        """Return J' f (12,) for a force that acts at the contact point below a foot frame."""
+        """Return J' f (12,) [N.m] of a force at the contact point below a foot frame."""
         J = self._pin.getFrameJacobian(
             self._model, self._data, frame, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         )
-        moment = -self._pin.skew(self._radius) @ force  # about the frame
+        moment = -self._pin.skew(self._radius) @ force  # moment about the origin of the foot frame
         return np.asarray((np.concatenate([force, moment]) @ J)[self._motors])
 
     def _solve(self, lever_arms: Array, desired: Array) -> Array:
-        """Return the forces (12,) as non-negative combinations of the pyramid edges."""
+        """Return the contact forces (12,) [N], which are non-negative sums of pyramid edges."""
         A = self._A
         for leg, lever_arm in enumerate(lever_arms):
             A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(lever_arm)
@@ -135,7 +137,7 @@ class ForceQp:
 
 
 def _pyramid_edges(friction: float) -> Array:
-    """Return the edges (12, 16) of the friction pyramids of four feet, as a block matrix."""
+    """Return a block matrix (12, 16) with the four friction pyramid edges of each foot."""
     edges = np.vstack([friction * _PYRAMID_SIGNS, np.ones(4)])
     rays = np.zeros((12, 16))
     for leg in range(4):

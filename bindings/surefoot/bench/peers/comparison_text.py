@@ -1,4 +1,4 @@
-"""Results of the comparison with the peers as text."""
+"""Text of the results of the comparison with the peers."""
 
 from __future__ import annotations
 

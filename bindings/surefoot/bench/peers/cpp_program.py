@@ -13,15 +13,16 @@ from surefoot.bench.peers.options import PeerError, PeerOptions
 from surefoot.files.atomic_write import atomic_path
 
 SOURCE_FOLDER = Path(__file__).parent / "cpp"
-# The same compiler and flags for every implementation; the wheels are built without -march too.
+# Flags of every implementation, all with the same compiler. There is no -march, as in the wheels.
 FLAGS = ["-std=c++17", "-O3", "-DNDEBUG"]
-# Definitions of Pinocchio's own CMake targets; its types depend on them.
+# Definitions of Pinocchio's own CMake targets; Pinocchio's types depend on these definitions.
 PINOCCHIO_DEFINES = [
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
     "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
     "-DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION",
 ]
-BUILD_TIMEOUT = 600.0  # [s]
+# Chosen: compiling Pinocchio headers takes a minute or two.
+BUILD_TIMEOUT = 600.0  # [s] longest time to compile a worker
 
 
 @dataclass(frozen=True)
@@ -30,14 +31,17 @@ class CppProgram:
 
     Attributes:
         source: File in cpp/.
-        libraries: Libraries to link, without lib and .so.
+        libraries: Names of the libraries to link, without lib and .so.
     """
 
     source: str
     libraries: tuple[str, ...]
 
     def build(self, prefixes: Iterable[Path], options: PeerOptions) -> Path:
-        """Compile the source with include and lib of the prefixes; return the executable.
+        """Compile the source with the folders include and lib of the prefixes.
+
+        Returns:
+            Path of the executable.
 
         Raises:
             PeerError: There is no g++, or the source does not compile.
@@ -75,7 +79,7 @@ def _build_hash(words: list[str]) -> str:
 
 
 def _compile(words: list[str], out: Path) -> None:
-    with atomic_path(out) as partial_file:  # an interrupted build must not look complete
+    with atomic_path(out) as partial_file:  # atomic: an interrupted build must not look complete
         process = _run_command([*words, "-o", str(partial_file)])
         if process.returncode != 0:
             lines = process.stderr.decode(errors="replace").splitlines()

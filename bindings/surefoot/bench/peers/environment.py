@@ -11,7 +11,8 @@ from pathlib import Path
 
 from surefoot.bench.peers.options import PeerError, PeerOptions
 
-INSTALL_TIMEOUT = 900.0  # [s]
+# Chosen: a slow network takes minutes.
+INSTALL_TIMEOUT = 900.0  # [s] longest time of one pip call
 PIP_OPTIONS = ["-q", "--disable-pip-version-check", "--retries", "1", "--only-binary", ":all:"]
 LIBTSID_PYTHON = "3.13"
 SITE_PLACEHOLDER = "SITE"  # stands for the environment's site-packages in a step
@@ -35,12 +36,12 @@ class Environment:
         return options.folder.absolute() / self.name
 
     def python(self, options: PeerOptions) -> Path:
-        """Return the path of its interpreter."""
+        """Return the path of the environment's interpreter."""
         scripts = "Scripts" if sys.platform == "win32" else "bin"
         return self.folder(options) / scripts / "python"
 
     def site_packages(self, options: PeerOptions) -> Path:
-        """Return the path of its site-packages."""
+        """Return the path of the environment's site-packages."""
         folder = self.folder(options)
         if sys.platform == "win32":
             return folder / "Lib" / "site-packages"
@@ -54,7 +55,11 @@ class Environment:
         return {name: pins[name] for name in names if name in pins}
 
     def prepare(self, options: PeerOptions) -> Path:
-        """Install the environment if needed and return its interpreter; raises PeerError."""
+        """Install the environment if needed; return the path of its interpreter.
+
+        Raises:
+            PeerError: The installation failed or took too long.
+        """
         python, mark = self.python(options), self.folder(options) / _COMPLETE_FILE
         expected_mark = f"{sys.version}\n{self.steps}\n"
         if _text(mark) == expected_mark and python.exists():
@@ -71,9 +76,9 @@ class Environment:
         return python
 
 
-# TSID's newest wheel, 1.10.0, aborts with the Pinocchio that pip chooses for it. This set works.
-# libtsid is installed first and alone: its wheels contain no Python code but are tagged with one
-# Python version. pip must be given that version, which it accepts only with --target.
+# TSID's newest wheel, 1.10.0, aborts with the Pinocchio that pip chooses for it; this set works.
+# libtsid needs a separate first step. Its wheels contain no Python code but are tagged with one
+# Python version, and pip accepts another Python version only with --target.
 TSID = Environment(
     "tsid",
     (
@@ -97,17 +102,17 @@ TSID = Environment(
         ),
     ),
 )
-# Its requirements install Pinocchio 3.8.
+# PlaCo's requirements install Pinocchio 3.8.
 PLACO = Environment("placo", (("placo==0.10.2",),))
 
 
 def clean_environment() -> dict[str, str]:
-    """Return the environment variables without PYTHON...: PYTHONPATH would add our packages."""
+    """Return the environment variables except PYTHON..., because PYTHONPATH adds our packages."""
     return {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
 
 
 def _run(words: list[str]) -> None:
-    """Run a command without output; raises PeerError with its last line of output."""
+    """Run a command without output; if it fails, raise PeerError with its last line of output."""
     try:
         process = subprocess.run(
             words,

@@ -1,4 +1,4 @@
-"""Interleaved timing: implementations compute blocks of ticks in turns, on one processor."""
+"""Interleaved timing: implementations compute blocks of ticks in turns, all on one processor."""
 
 from __future__ import annotations
 
@@ -18,10 +18,12 @@ def interleave(
 ) -> tuple[dict[str, Ticks], dict[str, str]]:
     """Let all implementations compute every tick, block by block in turns, after a warm-up run.
 
-    Every second round runs in reverse order, so that no implementation always follows the same one.
+    The order of the implementations is reversed in every second round. So no implementation always
+    follows the same other implementation.
 
     Returns:
-        The ticks of each implementation that ran to the end, and the reasons of the others.
+        The ticks of each implementation that ran to the end, by name; and the reason of each
+        implementation that failed, by name.
     """
     reasons: dict[str, str] = {}
     played: dict[str, list[Ticks]] = {}
@@ -50,7 +52,7 @@ def chosen_processor() -> int | None:
 
 @contextmanager
 def one_processor() -> Iterator[None]:
-    """Keep this process and its children on one processor, if the system has CPU affinity."""
+    """Keep this process and its children on one processor, if the system supports CPU affinity."""
     processor = chosen_processor()
     if processor is None:
         yield

@@ -20,12 +20,12 @@ class PeerOptions:
     """Folders of the peers, and settings of the interleaved timing.
 
     Attributes:
-        urdf: URDF of the robot; None to find it by the robot's name.
+        urdf: URDF of the robot. None: the robot's name determines the URDF.
         folder: Folder of the peers' environments and executables; made if it does not exist.
-        block: Ticks that one implementation computes before the next one's turn.
-        cpp: Whether to compare in C++ too, if there is a compiler and the peer has headers.
+        block: Number of ticks that one implementation computes in its turn.
+        cpp: Whether to compare in C++ too. This needs a compiler, and a peer with headers.
         timeout: Longest time that a worker may take to start, and to compute a block [s].
-        report_progress: Called with one line of text per step; the first run installs for a minute.
+        report_progress: Called with one line of text per step, for example of an installation.
     """
 
     urdf: Path | None = None
@@ -43,4 +43,4 @@ class PeerOptions:
 
 
 class PeerError(Exception):
-    """Reason why a peer did not run; run_peers() puts it into the row of the peer."""
+    """Reason why a peer did not run; run_peers() puts this reason into the peer's row."""

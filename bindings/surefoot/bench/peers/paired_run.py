@@ -1,4 +1,4 @@
-"""Paired run: all implementations of one language, timed in turns on the same ticks."""
+"""Paired run: times all implementations of one language in turns, on the same ticks."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class PairedResult:
         peers: Peers that were requested.
         versions: Versions of the packages of each implementation, by its name.
         ticks: Ticks of each implementation that ran to the end.
-        reasons: Reason of each implementation that did not.
+        reasons: Reason of each implementation that did not run to the end.
     """
 
     language: str
@@ -35,7 +35,7 @@ class PairedResult:
     reasons: dict[str, str]
 
     def append(self, other: PairedResult) -> PairedResult:
-        """Return both results joined; an implementation that failed in one has failed in both."""
+        """Return both results joined; an implementation has failed if it failed in one of them."""
         reasons = {**other.reasons, **self.reasons}
         shared = [name for name in self.ticks if name in other.ticks and name not in reasons]
         ticks = {name: np.vstack([self.ticks[name], other.ticks[name]]) for name in shared}
@@ -47,8 +47,8 @@ class PairedRun:
 
     Args:
         language: Language of all implementations.
-        ours: Factories of "state_to_torque" and "tick".
-        theirs: Factory of each peer.
+        ours: Factories of Surefoot's implementations "state_to_torque" and "tick".
+        theirs: Factory of the implementation of each peer.
     """
 
     def __init__(
@@ -71,7 +71,7 @@ class PairedRun:
 
         Args:
             ticks: Number of ticks of the recording.
-            block: Ticks that one implementation computes before the next one's turn.
+            block: Number of ticks that one implementation computes in its turn.
         """
         implementations, reasons = self._start()
         played: dict[str, Ticks] = {}

@@ -20,11 +20,11 @@ VERSION_PACKAGES = ("tsid", "libtsid", "libpinocchio", "eiquadprog")
 
 
 Interpreters = Mapping[Peer, Path | PeerError]
-"""Interpreter of each peer, or the reason why it has none."""
+"""Interpreter of each peer, or the reason why the peer has none."""
 
 
 def prepare_peers(peers: Sequence[Peer], options: PeerOptions) -> Interpreters:
-    """Set up the environment of each peer. Called once, because a failure can take long too."""
+    """Set up the environment of each peer. Call this once, because even a failure may take long."""
     interpreters: dict[Peer, Path | PeerError] = {}
     for peer in peers:
         try:
@@ -62,7 +62,7 @@ def _python_paired_run(
     interpreters: Interpreters,
     file: Path,
 ) -> PairedRun:
-    """Return the run in Python: ours in this process, each peer in its own interpreter."""
+    """Return the paired run in Python: Surefoot in this process, each peer in its interpreter."""
 
     def command(peer: Peer) -> list[str]:
         python = _interpreter(peer, interpreters)
@@ -86,7 +86,10 @@ def _python_paired_run(
 def _cpp_paired_run(
     problem: Problem, options: PeerOptions, interpreters: Interpreters, file: Path
 ) -> PairedRun:
-    """Return the run in C++: a process per implementation, for the peers with a C++ worker."""
+    """Return the paired run in C++, with a process per implementation.
+
+    Peers without a C++ worker do not take part.
+    """
 
     def command(peer: Peer) -> list[str]:
         assert peer.cpp_program is not None

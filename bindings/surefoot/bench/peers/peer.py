@@ -1,4 +1,4 @@
-"""The peers, and the contents of their ticks."""
+"""Peers, with the calls that their ticks consist of."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Peer:
         script: Python worker, a file in workers/.
         cpp_program: C++ worker, or None; it links the libraries of the environment.
         tick_description: Calls that are timed.
-        problem_differences: Differences between its problem and ours.
+        problem_differences: Differences between the peer's problem and Surefoot's.
     """
 
     name: str
@@ -44,7 +44,7 @@ PEERS = (
         "placo",
         PLACO,
         "placo_worker.py",
-        None,  # its wheel contains no headers
+        None,  # no C++ worker, because PlaCo's wheel contains no headers
         "update_kinematics, DynamicsSolver.solve",
         "four friction facets per foot (ours 14), no upper bound of the normal force, constant "
         "hard torque limits (ours elastic, by the torque-speed curve), no limits of joint "

@@ -22,9 +22,11 @@ from surefoot.bench.problems.scenarios import PUSH_TIMES
 from surefoot.bench.recording import Recording
 
 # Stiffness [1/s^2] and damping [1/s], the same for all axes of a task as PlaCo requires.
+# Chosen: kp = w^2, kd = 2 zeta w; com and base critically damped (w = 10, 20), foot zeta 0.5.
 TASK_GAINS = {"com": (100.0, 20.0), "base": (400.0, 40.0), "foot": (2500.0, 50.0)}
 POSTURE_GAINS = (100.0, 20.0)
-POSTURE_WEIGHT = 1e-4  # in the units of our QP; low, so that the tasks of the body dominate
+# Chosen. Below: the posture is undetermined in the peers; above: it disturbs the tasks.
+POSTURE_WEIGHT = 1e-4  # weight of the posture task in the units of our QP
 
 
 @dataclass(frozen=True)
@@ -32,9 +34,9 @@ class Problem:
     """Robot, states and targets.
 
     Attributes:
-        robot: Robot of our whole tick, with its own gains plus a posture task as the peers have.
-        point_robot: Robot of our tick from state to torque: contact points at the foot frames as
-            in the peers, and gains of peer_equivalent_gains().
+        robot: Robot of our whole tick, with the robot's own gains and the peers' posture task.
+        point_robot: Robot of our tick from state to torque. It has contact points at the foot
+            frames, as the peers have, and the gains from peer_equivalent_gains().
         q: (n, nq) estimated configurations of the run, in Pinocchio's order.
         v: (n, nv) estimated velocities.
         targets: (n, 7) desired centre of mass [m] and base orientation (quaternion x y z w).
@@ -56,7 +58,7 @@ class Problem:
     def states(self) -> list[RobotState]:
         """Return the states for our controller, with four feet in contact and no external force.
 
-        The peers do not receive an external force either.
+        The peers receive no external force either.
         """
         return [_robot_state(self.robot, q, v) for q, v in zip(self.q, self.v, strict=True)]
 
@@ -102,7 +104,7 @@ def ticks_before_push(recording: Recording) -> int:
 
 
 def peer_equivalent_gains(gains: Gains) -> Gains:
-    """Return our gains with the peers' stiffness and posture task, without features peers lack."""
+    """Return gains with the peers' stiffness and posture task, without features that peers lack."""
     gains.com_kp_horizontal = gains.com_kp_vertical = TASK_GAINS["com"][0]
     gains.com_kd_horizontal = gains.com_kd_vertical = TASK_GAINS["com"][1]
     gains.base_kp_tilt = gains.base_kp_yaw = TASK_GAINS["base"][0]

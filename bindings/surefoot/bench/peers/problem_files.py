@@ -18,9 +18,9 @@ def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -
     """Write the problem for workers; return the path of problem.txt.
 
     Args:
-        problem: Written to problem.txt, with a name and its values per line; states.bin, float64,
-            with a row q, v, target per tick; robot.urdf; and for our workers whole.robot and
-            point.robot, which include gains.
+        problem: Problem to write. problem.txt has a name and its values per line. states.bin has
+            a float64 row q, v, target per tick. robot.urdf is for the peers. whole.robot and
+            point.robot, which include gains, are for our workers.
         reports: LowStates, written to reports.bin as packed structs.
         folder: Folder of the files.
     """
@@ -59,7 +59,7 @@ def _format_value(value: Any) -> str:
 
 
 def _write_urdf_without_shapes(urdf: Path, out: Path) -> None:
-    """Write the URDF without shapes, because some peers would load the meshes, which none needs."""
+    """Write the URDF without shapes: no peer needs the meshes, but some would load them."""
     tree = ET.parse(urdf)
     for link in tree.iter("link"):
         for shape in [*link.findall("visual"), *link.findall("collision")]:

@@ -17,7 +17,7 @@ from surefoot.bench.peers.tick_comparison import (
     tick_statistics,
 )
 
-# Key of each ratio, and which of our ticks it divides by the tick of which peer.
+# For each ratio of tick times: its key, our implementation (numerator), the peer (denominator).
 RATIOS = {
     "ratio_state_to_torque_over_tsid": ("state_to_torque", "tsid"),
     "ratio_tick_over_tsid": ("tick", "tsid"),
@@ -26,12 +26,12 @@ RATIOS = {
 
 
 def make_rows(played: PairedResult, weight: float, calm: NDArray[np.bool_]) -> list[dict[str, Any]]:
-    """Return a row per peer; its "reason" is None, or why the peer did not run.
+    """Return a row per peer. Its "reason" says why the peer did not run; None if it ran.
 
     Args:
         played: Result of a paired run.
         weight: Weight of the robot [N].
-        calm: (n,) whether each tick is before the first push.
+        calm: (n,) true for the ticks before the first push.
     """
     return [_row(peer, played, weight, calm) for peer in played.peers]
 
@@ -68,7 +68,10 @@ def _row(
 
 
 def exclusion_reason(row: dict[str, Any]) -> str | None:
-    """Return why the times of a row do not count: not run, failed, or another answer; else None."""
+    """Return why the times of a row do not count; None if they count.
+
+    They do not count if the peer did not run, had unsolved ticks, or gave another answer.
+    """
     if row["reason"] is not None:
         return str(row["reason"])
     if row["answers"]["verdict"] != SAME_ANSWER:
@@ -80,10 +83,10 @@ def exclusion_reason(row: dict[str, Any]) -> str | None:
 
 
 def compute_ratios(rows: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the RATIOS, from C++ if the peer ran in it, else from Python.
+    """Return the RATIOS by key: from C++ if the peer ran in C++, else from Python.
 
-    A ratio is None, with a "_reason", if the peer did not run, or if in any language it has
-    unsolved ticks or another answer.
+    A ratio is None, and its "_reason" is given, if the times of the peer do not count in one of
+    the languages: see exclusion_reason().
     """
     ratios: dict[str, Any] = {}
     for name, (ours, peer) in RATIOS.items():

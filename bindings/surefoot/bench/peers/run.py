@@ -42,7 +42,7 @@ TASKS = {
 
 
 def add_peers(bench: Bench, settings: BenchSettings, options: PeerOptions | None = None) -> None:
-    """Run the comparison; add it to the figures of a benchmark as "peers", and its ratios."""
+    """Run the comparison; add its result ("peers") and its ratios to a benchmark's figures."""
     recordings = [bench.recordings.get(name) or record(settings, name) for name in SCENARIOS]
     result = run_peers(recordings, options)
     reasons = [result.get(f"{name}_reason") for name in RATIOS]
@@ -60,14 +60,14 @@ def run_peers(
 
     Args:
         recordings: Results of bench.record().
-        options: Options; None for the defaults. The first run installs the peers.
+        options: Options. None: the default options. The first run installs the peers.
         peers: Peers to compare with.
 
     Returns:
-        JSON values. Each ratio of RATIOS is a median over pairs of ticks. Beside it are its
-        "_language", its "_python" value if the ratio is from C++, and its "_reason" if it is None.
-        "rows" has all figures, one row per peer and language. A peer that does not run has a row
-        with the reason; it raises no exception.
+        JSON values. Each ratio of RATIOS is a median over pairs of ticks. The key + "_language" has
+        the language of the ratio, key + "_python" the Python value if this language is C++, and
+        key + "_reason" the reason if the ratio is None. "rows" has all figures, one row per peer
+        and language. A peer that does not run raises no exception; its row has the reason.
     """
     options = options or PeerOptions()
     recording_list = [recordings] if isinstance(recordings, Recording) else list(recordings)

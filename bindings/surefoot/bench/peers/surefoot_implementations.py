@@ -14,7 +14,7 @@ from surefoot.bench.peers.problem import Problem
 WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3
 TORQUES = FORCES + 12
 Ticks = NDArray[np.float64]
-"""Rows, one per tick, of wall [ns], CPU [ns], solved, forces (12) [N] and torques [N.m]."""
+"""One row per tick: wall time [ns], CPU time [ns], solved, forces (12) [N], torques [N.m]."""
 
 
 def tick_width(problem: Problem) -> int:
@@ -23,14 +23,14 @@ def tick_width(problem: Problem) -> int:
 
 
 class Implementation(Protocol):
-    """Interface of an implementation that is timed in turns with others."""
+    """Interface of an implementation that is timed in turns with other implementations."""
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """Compute ticks first .. first + count - 1; raises PeerError if it cannot."""
+        """Compute the ticks first .. first + count - 1; raise PeerError on failure."""
         ...
 
     def close(self) -> None:
-        """Release its resources."""
+        """Release the resources of the implementation."""
         ...
 
 
@@ -68,9 +68,9 @@ class WholeTick:
         self._reports = reports
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """See Implementation; forces and torques stay zero, since its problem differs."""
+        """See Implementation; forces and torques stay zero, because the whole tick solves more."""
         if first == 0:
-            self._controller.reset()  # otherwise its clock would go backwards
+            self._controller.reset()  # otherwise the controller's clock would go backwards
         update = self._controller.update
         ticks = np.zeros((count, self._width))
         for row, report in zip(ticks, self._reports[first : first + count], strict=True):

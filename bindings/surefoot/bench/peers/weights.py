@@ -8,18 +8,18 @@ import pinocchio
 from surefoot._core import Gains, Robot
 
 GRAVITY = 9.81
-# Weight of contact forces [1/N^2]. Our QP weights the distance to forces that fulfil the tasks,
-# TSID the distance to a quarter of the weight, PlaCo the force itself. This weight is low enough
-# not to disturb the tasks of the peers.
+# [1/N^2] Weight of contact forces. Our QP weights the distance to forces that fulfil the tasks.
+# TSID weights the distance to a quarter of the robot's weight, PlaCo the force itself. The value is
+# low enough not to disturb the peers' tasks.
 FORCE_WEIGHT = 1e-6
 
 
 def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
-    """Compute the weights per squared acceleration (com, base, posture) and force; com is 1.
+    """Compute the weights of squared accelerations (com, base, posture) and forces; com is 1.
 
-    Our QP scales accelerations by those that a quarter of the weight on one foot causes. For the
-    centre of mass this scale is exact. For the base it is computed from the inertia of the robot
-    with locked joints, which is close to the scale in the QP.
+    Our QP divides accelerations by those that a quarter of the robot's weight on one foot causes.
+    For the centre of mass this function uses the same scale. For the base it uses the inertia of
+    the robot with locked joints, which gives almost the same scale as in the QP.
 
     Args:
         robot: Robot, evaluated in its standing pose.
@@ -36,7 +36,7 @@ def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
     angular_response = np.hstack([inverse @ pinocchio.skew(foot - data.com[0]) for foot in feet])
     foot_load = 0.25 * robot.mass * GRAVITY
     angular = np.sqrt(3.0) / (foot_load * np.linalg.norm(angular_response))
-    # Hip height from the thigh joints, the second of each leg, which are as high as the hip axes.
+    # The hip height is that of the thigh joints (the second joint of each leg).
     hips = [data.oMi[model.getJointId(robot.config.joint_names[i])] for i in range(1, 12, 3)]
     leg_length = float(np.mean([hip.translation[2] for hip in hips]) - feet[:, 2].mean())
     com = gains.weight_com_horizontal * (2.0 / GRAVITY) ** 2

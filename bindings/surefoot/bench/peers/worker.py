@@ -35,7 +35,7 @@ class Worker:
             timeout: Longest time to wait for an answer [s].
 
         Raises:
-            PeerError: The worker could not be started, ended, or did not answer in time.
+            PeerError: The worker could not start, ended early, or did not answer in time.
         """
         self._width, self._timeout = width, timeout
         self._errors = tempfile.TemporaryFile()
@@ -59,7 +59,11 @@ class Worker:
             raise
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """Let the worker compute ticks, shape (count, width); raises PeerError."""
+        """Let the worker compute ticks; return them, shape (count, width).
+
+        Raises:
+            PeerError: The worker ended, or did not answer in time.
+        """
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(f"play {first} {count}\n".encode())
@@ -129,9 +133,10 @@ class Worker:
 def worker_factory(
     command: Callable[[], list[str]], width: int, timeout: float
 ) -> Callable[[], Worker]:
-    """Get the command of a worker now, which may take minutes; return a factory of the worker.
+    """Return a factory of a worker.
 
-    If there is no command, the factory raises PeerError with the reason.
+    `command` is called at once, because it may take minutes. If `command` fails, the factory raises
+    its PeerError.
     """
     try:
         words = command()

@@ -16,7 +16,8 @@ from surefoot.files.corrupt_npz import CORRUPT_NPZ
 
 Array = npt.NDArray[np.float64]
 FORMAT = "surefoot-qp-sequence-1"
-NO_BOUND = 1e20
+# Numerical: the infinity of ProxQP; beyond every force and acceleration.
+NO_BOUND = 1e20  # bounds of this size or more are missing bounds
 _ARRAYS = ("H", "g", "A", "b", "C", "l", "u")
 
 
@@ -68,7 +69,7 @@ class QpSequence:
 def make_qp_sequence(
     meta: dict[str, Any], ticks: Sequence[int], problems: Sequence[QpProblem]
 ) -> QpSequence:
-    """Stack QPs of one size; bounds of 1e20 or more become infinite."""
+    """Stack QPs of one size; bounds of NO_BOUND or more become infinite."""
     stacked = {name: np.stack([getattr(p, name) for p in problems]) for name in "HgAbClu"}
     stacked["l"][stacked["l"] <= -NO_BOUND] = -np.inf
     stacked["u"][stacked["u"] >= NO_BOUND] = np.inf

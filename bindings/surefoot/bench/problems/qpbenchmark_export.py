@@ -33,10 +33,10 @@ class SurefootWbc(qpbenchmark.TestSet):
 
 
 def export_qpbenchmark(sequences: Iterable[QpSequence], folder: Path, every: int = 50) -> int:
-    """Write FOLDER/surefoot_wbc.py, and every `every`-th QP as FOLDER/data/*.npz.
+    """Write FOLDER/surefoot_wbc.py, and one in `every` QPs as FOLDER/data/*.npz.
 
-    qpbenchmark solves each QP with a cold start and takes minutes per thousand QPs, so only a
-    sample is written. A two-sided constraint becomes two one-sided ones, G x <= h.
+    qpbenchmark solves each QP with a cold start and takes minutes per thousand QPs. So the function
+    writes only a part of the QPs. A two-sided constraint becomes two rows of G x <= h.
 
     Returns:
         Number of QPs written.
@@ -56,7 +56,7 @@ def export_qpbenchmark(sequences: Iterable[QpSequence], folder: Path, every: int
 
 def _qpsolvers(s: QpSequence, k: int) -> dict[str, Any]:
     upper, lower = np.isfinite(s.u[k]), np.isfinite(s.l[k])
-    none = np.array(None)  # what qpsolvers writes and reads for a missing part
+    none = np.array(None)  # value of a missing matrix in the files of qpsolvers
     equalities = {"A": s.A[k], "b": s.b[k]} if s.b.shape[1] else {"A": none, "b": none}
     return {
         "P": s.H[k],

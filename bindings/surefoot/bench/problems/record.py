@@ -26,12 +26,12 @@ def record_problems(
     Args:
         robot: A name of surefoot.available_robots(), or the result of describe_robot().
         scenario: One of SCENARIO_NAMES.
-        form: CONDENSED or GENERAL.
+        form: QP form, CONDENSED or GENERAL.
         rate: Ticks per second [Hz].
         seed: Seed of the sensor noise; the same seed gives the same QPs.
 
     Returns:
-        One sequence of QPs without slacks, and one with slacks if the solver ever needed them.
+        One sequence of QPs without slacks, and one of QPs with slacks if any tick needed slacks.
 
     Raises:
         Error: The name is unknown, or the robot fell on three legs.

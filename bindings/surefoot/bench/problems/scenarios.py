@@ -18,9 +18,12 @@ from surefoot._core import (
 from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings, Push
 
-PUSH_DURATION = 0.1  # [s]
-PUSH_TIMES = (1.0, 4.0)  # [s] of the lateral and the forward push
+# The duration of the pushes of `surefoot assess`; between the pushes the robot settles.
+PUSH_DURATION = 0.1  # [s] duration of a push
+PUSH_TIMES = (1.0, 4.0)  # [s] start of the lateral push, and of the forward push
+# Chosen. Below 1 the robot cannot stand; above: torque limits are never active.
 WEAK_TORQUE_FACTOR = 1.3  # torque limit over the largest standing torque, in scenario weak
+# Chosen so that friction cones are active; the ground has more, so that the robot stands.
 SLIPPERY_FRICTION = (
     0.2  # friction coefficient that the controller assumes; the ground has 1.5 times
 )
@@ -52,11 +55,12 @@ class Scenario:
         description: One line of text.
         duration: Duration of the run [s].
         push: Impulse of the pushes as a share of the LIP push limit; 0 for no push.
-        friction: Friction coefficient of the ground; the controller assumes 2/3 of it. None for
-            the default: 0.8 of the ground, and the configured value of the controller.
-        torque_factor: Torque limit of the controller over the largest standing torque; None for
-            the limits of the motors.
-        body_reference: Body reference at a time [s], set before every tick; None to hold the pose.
+        friction: Friction coefficient of the ground; the controller assumes 2/3 of this value.
+            None: the ground has 0.8, and the controller assumes its configured value.
+        torque_factor: Torque limit of the controller over the largest standing torque. None: the
+            limits of the motors.
+        body_reference: Function of time [s] that returns the body reference, which is set before
+            every tick. None: the pose is held.
     """
 
     description: str
@@ -72,7 +76,7 @@ class Scenario:
             controller.set_body_reference(self.body_reference(time))
 
     def controller_robot(self, robot: Robot) -> Robot:
-        """Return the robot model of the controller, with the assumed friction and torque limits."""
+        """Return the controller's robot model, with the scenario's friction and torque limits."""
         config = robot.config  # a copy
         if self.friction is not None:
             config.friction = self.friction / 1.5
@@ -83,7 +87,7 @@ class Scenario:
         return Robot.from_serialized_model(robot.serialized_model(), config)
 
     def make_plant(self, robot: str | RobotDescription, rate: float, seed: int) -> Plant:
-        """Return the plant with its ground and its pushes."""
+        """Return the plant, with the ground and the pushes of the scenario."""
         friction = 0.8 if self.friction is None else self.friction
         plant = Plant(robot, PlantSettings(control_rate=rate, seed=seed, friction=friction))
         for direction, time in zip(("lateral", "forward"), PUSH_TIMES, strict=True):
@@ -94,7 +98,7 @@ class Scenario:
 
 
 def _standing_torque(robot: Robot) -> float:
-    """Compute the largest motor torque of a level stand at rest [N.m]."""
+    """Return the largest motor torque [N.m] of the robot standing level and at rest."""
     controller = WholeBodyController(robot)
     state = RobotState(robot.nq, robot.nv)
     state.q = robot.q_standing()

@@ -1,6 +1,6 @@
 """Scenario of a three-legged stance.
 
-The centre of mass moves over three feet, the fourth foot is unloaded and lifted, and all of it is
+The centre of mass moves over three feet. The fourth foot is unloaded and lifted. Then the motion is
 reversed. The whole-body controller receives the true state, without estimator.
 """
 
@@ -26,7 +26,8 @@ from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 
 LIFTED_LEG = 0  # FR
-SHIFT_TIME, UNLOAD_TIME, LIFT_TIME, REST_TIME = 1.5, 0.3, 0.4, 0.8  # [s]
+# Chosen: slow, so that the motion is quasi-static; feet clear the ground by one and a half radii.
+SHIFT_TIME, UNLOAD_TIME, LIFT_TIME, REST_TIME = 1.5, 0.3, 0.4, 0.8  # [s] durations of the phases
 LIFT_HEIGHT = 0.03  # [m] height of the lifted foot
 UP = np.array([0.0, 0.0, 1.0])
 DURATION = 2 * (SHIFT_TIME + UNLOAD_TIME + LIFT_TIME) + 2 * REST_TIME
@@ -37,9 +38,9 @@ class StancePlan:
     """Progress of the three-legged stance, each value 0 .. 1.
 
     Attributes:
-        com_shift: Displacement of the centre of mass from its start to above the three feet.
+        com_shift: Displacement of the centre of mass; 0 at the start, 1 above the three feet.
         load: Planned load of the lifted foot.
-        lift: Height of the lifted foot over LIFT_HEIGHT.
+        lift: Height of the lifted foot, as a share of LIFT_HEIGHT.
     """
 
     com_shift: float
@@ -48,7 +49,7 @@ class StancePlan:
 
 
 def stance_plan_at(time: float) -> StancePlan:
-    """Return the plan at a time [s]: shift, unload, lift, rest, and the reverse."""
+    """Return the plan at a time [s]. Phases: shift, unload, lift, rest, then the reverse."""
     t = min(time, DURATION - REST_TIME - time)  # the final rest is on four feet
     com_shift = smoothstep(t / SHIFT_TIME)
     load = 1.0 - smoothstep((t - SHIFT_TIME) / UNLOAD_TIME)
@@ -60,7 +61,8 @@ def run_three_legged_stance(
 ) -> Iterator[tuple[int, QpProblem]]:
     """Yield (tick, QP) of a three-legged stance; raise Error if the robot falls.
 
-    The whole-body controller is used directly, because the stand controller keeps four stance feet.
+    The function calls the whole-body controller, because the stand controller keeps four stance
+    feet.
     """
     plant = Plant(robot, PlantSettings(sensors="ideal", control_rate=rate, seed=seed))
     controller = WholeBodyController(plant.robot, options=WholeBodyOptions(form=form))
@@ -88,7 +90,7 @@ def run_three_legged_stance(
 
 
 def true_state(plant: Plant, airborne: int | None = None) -> RobotState:
-    """Return the true state, with the planned contact: all feet except `airborne`."""
+    """Return the true state of the plant, with contact of all feet except the foot `airborne`."""
     truth = plant.truth
     state = RobotState(plant.robot.nq, plant.robot.nv)
     state.q, state.v = truth.q, truth.v
@@ -108,6 +110,6 @@ def torque_command(robot: Robot, torques: np.ndarray) -> LowCmd:
 
 
 def smoothstep(x: float) -> float:
-    """Return 3 x^2 - 2 x^3 for x clamped to [0, 1]: from 0 to 1 with zero slope at both ends."""
+    """Return 3 x^2 - 2 x^3, with x clamped to [0, 1]; the slope is zero at both ends."""
     x = min(max(x, 0.0), 1.0)
     return x * x * (3.0 - 2.0 * x)

@@ -1,4 +1,4 @@
-"""Comparison of QP solvers on recorded QPs, warm and cold, with one common check of residuals."""
+"""Comparison of QP solvers on recorded QPs, with warm and cold starts and one common check."""
 
 from surefoot.bench.solvers.run import run_solvers
 from surefoot.bench.solvers.solver_build import SOLVERS

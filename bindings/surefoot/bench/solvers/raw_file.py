@@ -35,7 +35,7 @@ def write_raw(sequence: QpSequence, path: Path) -> None:
 
 
 def read_records(path: Path, ticks: int) -> Records:
-    """Return the fields of a run by name, (ticks,) each; NaN in ticks that it did not reach."""
+    """Return the fields of a run by name, (ticks,) each; NaN in ticks that were not reached."""
     rows = np.full((ticks, len(FIELDS)), np.nan)
     if path.is_file():
         found = np.fromfile(path).reshape(-1, len(FIELDS))

@@ -1,4 +1,4 @@
-"""Run of the solver comparison: solvers take turns on each sequence of QPs."""
+"""Run of the solver comparison: the solvers take turns on each sequence of QPs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ from surefoot.bench.solvers.solver_statistics import ACCEPT_FACTOR, solver_stati
 from surefoot.system.machine import describe_machine
 
 MODES = ("warm", "cold")
-TOLERANCE, REFERENCE_TOLERANCE = 1e-6, 1e-12
+# Chosen: TOLERANCE as a controller needs it; the reference is six decades tighter.
+TOLERANCE, REFERENCE_TOLERANCE = 1e-6, 1e-12  # tolerances on the residuals
 _REFERENCE_SOLVER = "surefoot"
 Runs = dict[str, dict[str, list[tuple[Records | None, str | None]]]]
 
@@ -30,14 +31,14 @@ def run_solvers(
     folder: Path | None = None,
     extra: Sequence[Path] = (),
 ) -> dict[str, Any]:
-    """Solve every QP with every solver, warm and cold, and return the figures as JSON values.
+    """Solve every QP with every solver, with warm and cold starts; return figures as JSON values.
 
     Args:
         sequences: Sequences of QPs to solve.
-        solvers: Names of SOLVERS or of extra adapters; None for all of SOLVERS.
+        solvers: Names of SOLVERS or of extra adapters. None: all SOLVERS.
         repeats: Number of runs over each sequence; the solvers take turns.
-        folder: Build folder of the executables; None for the user's cache.
-        extra: Further adapter files.
+        folder: Build folder of the executables. None: a folder in the user's cache.
+        extra: Adapter files besides those of the repository.
 
     Raises:
         Error: A name is unknown, or CMake or the sources are missing.
@@ -82,8 +83,8 @@ def _run_sequence(
         work = SolverFiles(folder / "sequence", None, len(sequence), folder / "records")
         reference: float | None = None
         if isinstance(reference_program, Path):
-            # Rounding errors exceed this tolerance, so the status may be a failure; the answers
-            # are still the most accurate ones available.
+            # Rounding errors exceed this tolerance, so the solver may report a failure. Its answers
+            # are still the most accurate answers available.
             answers, _ = run_program(
                 reference_program, work, "warm", REFERENCE_TOLERANCE, folder / "answers"
             )

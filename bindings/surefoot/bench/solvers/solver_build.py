@@ -14,7 +14,7 @@ from surefoot._core import Error
 from surefoot.bench.solvers.solver_paths import PEERS_VARIABLE, cmake_definitions, solver_sources
 
 CASADI, EIQUADPROG = "CASADI_DIR", "EIQUADPROG_PREFIX"
-# CMake variables that each solver needs; _WHEELS has the packages that provide them.
+# CMake variables that each solver needs; _WHEELS has the packages for these variables.
 SOLVERS: dict[str, tuple[str, ...]] = {
     "surefoot": ("EIGEN_INCLUDE",),
     "proxqp": ("EIGEN_INCLUDE", "PROXSUITE_INCLUDE"),
@@ -35,10 +35,10 @@ _WHEELS = {
 
 
 class SolverBuilder:
-    """Configures CMake once, then builds one executable per solver.
+    """Builder that configures CMake once, then builds one executable per solver.
 
     Args:
-        folder: Build folder; by default one in the user's cache, named by a hash of the settings.
+        folder: Build folder. None: a folder in the user's cache, named by a hash of the settings.
         extra: Adapter files besides those of the repository; an executable is named after its file.
 
     Raises:
@@ -58,7 +58,7 @@ class SolverBuilder:
             raise Error(f"solvers: CMake failed: {problem}")
 
     def build(self, solver: str) -> Path | str:
-        """Return the path of the executable, or the reason why there is none."""
+        """Build the executable of a solver; return its path, or the reason of the failure."""
         missing = [name for name in SOLVERS.get(solver, ()) if name not in self._defined]
         if missing:
             wheels = " ".join(_WHEELS[name] for name in missing)
@@ -68,7 +68,7 @@ class SolverBuilder:
             )
         target = f"bench_{solver}"
         command = [self._cmake, "--build", str(self._folder), "--target", target]
-        problem = _run_command([*command, "--parallel", "1"])  # one compiler may take 2 GB
+        problem = _run_command([*command, "--parallel", "1"])  # a compiler may take 2 GB
         return self._folder / target if problem is None else f"does not compile: {problem}"
 
 
@@ -89,7 +89,7 @@ def _cache_folder(values: dict[str, str]) -> Path:
 
 
 def _run_command(command: list[str]) -> str | None:
-    """Run a command; return None, or its first line with an error."""
+    """Run a command; return None, or the first line of its output with an error."""
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode == 0:
         return None

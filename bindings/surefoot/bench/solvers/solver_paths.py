@@ -16,7 +16,7 @@ _REPOSITORY = Path(__file__).resolve().parents[4]
 
 
 def solver_sources() -> Path:
-    """Return the folder with the executables' CMakeLists.txt; raises Error if there is none."""
+    """Return the folder with the executables' CMakeLists.txt; raise Error if there is none."""
     for folder in (_REPOSITORY / "benchmarks", package_folder() / "benchmarks"):
         if (folder / "solvers" / "CMakeLists.txt").is_file():
             return folder / "solvers"
@@ -24,12 +24,12 @@ def solver_sources() -> Path:
 
 
 def package_folder() -> Path:
-    """Return the folder of the package, with lib/ and include/."""
+    """Return the folder of the package surefoot, with lib/ and include/."""
     return Path(surefoot.__path__[0])
 
 
 def cmake_definitions() -> dict[str, str]:
-    """Return the definitions for CMake; packages that are not installed are left out."""
+    """Return the CMake definitions of all packages that are installed."""
     found: dict[str, str] = {"SUREFOOT_PREFIX": str(package_folder())}
     repository_headers = _REPOSITORY / "controller" / "src"
     private_headers = (
@@ -60,7 +60,8 @@ def package_folders() -> Iterator[Path]:
         if entry and Path(entry).name in ("site-packages", "dist-packages"):
             yield Path(entry)
     given = os.environ.get(PEERS_VARIABLE)
-    # Absolute, since CMake resolves relative paths itself. bench --peers makes the default folder.
+    # Use an absolute path, because CMake resolves relative paths from another folder. bench --peers
+    # makes the default folder.
     root = Path(given or ".venv-peers").absolute()
     yield root
     yield from sorted(root.glob("lib/python3*/site-packages"))
@@ -75,7 +76,7 @@ def _add_if_installed(found: dict[str, str], name: str, folder: Path, probe_file
 
 
 def _version(name: str, site: Path) -> str:
-    # A package of this site may be a link into another one, so search the whole path.
+    # A package in this folder may be a link into another folder, so search sys.path too.
     for distribution in importlib.metadata.distributions(name=name, path=[str(site), *sys.path]):
         return distribution.version
     return "unknown"

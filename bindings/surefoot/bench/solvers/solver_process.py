@@ -1,4 +1,4 @@
-"""Run of one solver over one sequence, in a separate process that may crash alone."""
+"""Run of one solver over one sequence, in a separate process, because solvers may crash."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ import numpy as np
 from surefoot.bench.solvers.raw_file import Records, read_records
 
 NO_WARM_START_EXIT = 3  # exit status of a solver that cannot warm start
-TIME_LIMIT = 300.0  # [s] for a sequence
+# Chosen: a sequence takes seconds; a solver that hangs must end.
+TIME_LIMIT = 300.0  # [s] longest time of a solver for a sequence
 
 
 @dataclass(frozen=True)
@@ -21,9 +22,9 @@ class SolverFiles:
 
     Attributes:
         sequence: File of the QPs.
-        reference: File of the reference answers, or None.
+        reference: File of the reference answers. None: there are none.
         ticks: Number of QPs.
-        records: File to write the records of a run to.
+        records: File in which a run writes its records.
     """
 
     sequence: Path
@@ -43,9 +44,9 @@ def describe_solver(program: Path) -> dict[str, str]:
 def run_program(
     program: Path, work: SolverFiles, mode: str, tolerance: float, write: Path | None = None
 ) -> tuple[Records | None, str | None]:
-    """Run a solver; return its records and the reason why it did not reach the end.
+    """Run a solver; return its records, and the reason why the solver did not reach the end.
 
-    The records are None if the solver has no warm start; the reason is None after a full run.
+    The records are None if the solver has no warm start. The reason is None after a full run.
     """
     work.records.unlink(missing_ok=True)
     arguments: list[str | Path] = [

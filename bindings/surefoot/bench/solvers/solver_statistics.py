@@ -12,7 +12,8 @@ from surefoot.bench.solvers.raw_file import Records
 from surefoot.bench.timing_statistics import PERCENTILES
 
 NO_STATUS, SOLVED, FAILED = 0, 1, 2
-# Residuals above this factor times the requested tolerance are wrong, as in the controller's check.
+# A solution is wrong if a residual exceeds this factor times the requested tolerance. The factor is
+# that of the controller's check.
 ACCEPT_FACTOR = 5.0
 Bools = npt.NDArray[np.bool_]
 
@@ -43,7 +44,7 @@ def solver_statistics(records: Records, tolerance: float) -> dict[str, Any]:
 
 
 def _is_correct(records: Records, accept: float) -> Bools:
-    kinds = [records[name] <= accept for name in ("primal", "dual", "gap")]  # False for NaN
+    kinds = [records[name] <= accept for name in ("primal", "dual", "gap")]  # NaN gives False
     correct: Bools = np.logical_and.reduce(kinds)
     return correct
 
@@ -56,11 +57,11 @@ def _percentiles(values: npt.NDArray[np.float64]) -> dict[str, float | None]:
 
 
 def _mean_max(values: npt.NDArray[np.float64]) -> dict[str, float | None]:
-    if not len(values) or values.min() < 0.0:  # no values, or the solver does not report them
+    if not len(values) or values.min() < 0.0:  # -1: the solver does not report this value
         return {"mean": None, "max": None}
     return {"mean": round(float(values.mean()), 3), "max": float(values.max())}
 
 
 def _json_number(value: float) -> float | None:
-    """Return a value with 3 digits, or None: JSON has neither NaN nor infinity."""
+    """Return a value with 3 digits; None for NaN and infinity, which JSON does not have."""
     return float(f"{value:.3g}") if math.isfinite(value) else None

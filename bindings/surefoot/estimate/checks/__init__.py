@@ -1,7 +1,8 @@
-"""Checks of a log: units, orders and signs, by comparing its sensors and the robot's geometry.
+"""Checks of units, orders and signs in a log.
 
-An estimate from a wrong log can look plausible. A clear contradiction therefore raises Error; a
-doubtful finding is a warning.
+The checks compare the sensors with each other and with the robot's geometry. An estimate from a
+wrong log can look plausible, so a clear contradiction raises Error. A doubtful finding is a
+warning.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ def check_log(robot: Robot, log: SensorLog) -> list[str]:
     """Check a log of a robot; return a warning for each doubtful finding.
 
     Raises:
-        Error: A column is wrong. The text names the column, what was got and what was expected.
+        Error: A column is wrong. The message names the column, the value and the expected value.
     """
     doubts = check_accelerometer(robot, log) + check_angles(robot, log)
     windows = cut_windows(log)

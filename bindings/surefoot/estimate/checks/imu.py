@@ -1,4 +1,4 @@
-"""Checks of accelerometer and gyroscope: SI units and sign."""
+"""Checks of the units and signs of accelerometer and gyroscope."""
 
 from __future__ import annotations
 
@@ -18,14 +18,21 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-GYRO_FULL_SCALE = 36.0  # [rad/s] just above 2000 deg/s, the range of a gyroscope
-MIN_TILT = 0.05  # [rad] tilt by the accelerometer that counts as a rotation
+# Derived from the assumed full scale, 34.9 rad/s, plus 3 %; deg/s exceed it soon.
+GYRO_FULL_SCALE = 36.0  # [rad/s] rate above which the unit is wrong; the range is 2000 deg/s
+# Chosen: 3 deg, above the noise of a median; the gyroscope must then have shown a rotation.
+MIN_TILT = 0.05  # [rad] smallest tilt from the accelerometer that counts as a rotation
 
 
 def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare the median of the accelerometer with gravity; raises Error."""
+    """Compare the median of the accelerometer with gravity; return warnings.
+
+    Raises:
+        Error: The accelerometer has a wrong unit or sign.
+    """
     values = log.columns["accelerometer"]
     norm = float(finite_median(np.linalg.norm(values, axis=1, keepdims=True))[0])
+    # Chosen: a robot at rest shows 1 g up to scale errors; 9.81 is far outside.
     for unit, one in (("g", 1.0), ("milli-g", 1000.0)):
         if 0.8 * one < norm < 1.25 * one:
             raise Error(
@@ -34,6 +41,7 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
             )
     if norm == 0.0:
         return ["accelerometer is zero most of the time"]
+    # Chosen: the median over a log with pushes is closer to 1 g than this.
     if not 0.7 * GRAVITY < norm < 1.4 * GRAVITY:
         return [f"accelerometer has a median size of {norm:.3g} m/s^2, expected about {GRAVITY}"]
     w, x, y, z = robot.config.quat_base_imu
@@ -44,9 +52,12 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
 
 
 def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare the gyroscope with the rotation of the quaternion or of gravity; raises Error.
+    """Compare the gyroscope with the rotation of the quaternion; return warnings.
 
-    Gravity, by the accelerometer, is used if the log has no valid quaternion.
+    If the log has no valid quaternion, the rotation of gravity in the accelerometer replaces it.
+
+    Raises:
+        Error: The gyroscope has a wrong unit or sign.
     """
     size = np.linalg.norm(log.columns["gyroscope"], axis=1)
     size = size[np.isfinite(size)]
@@ -64,7 +75,7 @@ def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
 
 
 def _tilt_rotations(windows: Windows) -> tuple[Array, Array]:
-    """Return the tilts (n, 3) [rad] over 0.5 s by the gyroscope and by the accelerometer."""
+    """Return the tilts (n, 3) [rad] over 0.5 s: from the gyroscope, and from the accelerometer."""
     span = 5
     if len(windows) <= span:
         return np.zeros((0, 3)), np.zeros((0, 3))
@@ -93,6 +104,7 @@ def _compare(
             )
         if not 0.5 < ratio < 2.0:
             return [f"gyroscope rotates {ratio:.2g} times as far as the {other}"]
+    # Chosen: three times the smallest rotation that counts, MIN_ROTATION or MIN_TILT.
     elif len(gyro_while_still) >= MIN_WINDOWS and np.median(gyro_while_still) > 3.0 * threshold:
         rate = float(np.median(gyro_while_still))
         return [

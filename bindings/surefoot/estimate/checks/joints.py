@@ -1,4 +1,4 @@
-"""Checks of joint angles and velocities: radians, joint limits, order and sign."""
+"""Checks of joint angles and velocities: unit, joint limits, order and sign."""
 
 from __future__ import annotations
 
@@ -13,16 +13,24 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.column_definitions import MOTOR_NAMES
 from surefoot.sensor_log.sensor_log import SensorLog
 
-MAX_BEYOND_LIMIT = 0.5  # [rad] beyond a limit: more than a calibration error
-DEGREES_MARGIN = 0.2  # [rad] beyond a limit for angles read as degrees
-ORDER_FIT_RATIO = 0.2  # of the squared error: another order below it fits far better
-MIN_ORDER_ERROR = 0.05  # of the squared motion: above the error by noise and a low rate
-MAX_STILL_DRIFT = 0.02  # [rad] RMS of integrated velocity noise; noise of 0.05 rad/s gives 0.001
-MIN_MOTION = 0.01  # [rad] RMS per window above which joints move
+# Chosen limits; tests/python/test_sensor_log.py and test_estimate.py have wrong and right logs.
+MAX_BEYOND_LIMIT = 0.5  # [rad] distance beyond a joint limit above which an angle is wrong
+DEGREES_MARGIN = 0.2  # [rad] distance beyond a joint limit up to which an angle in degrees fits
+# Chosen. Below: noise in both orders; above: 1, where both orders fit alike.
+ORDER_FIT_RATIO = 0.2  # squared error over that of the logged order; below: this order is right
+MIN_ORDER_ERROR = 0.05  # squared error over the squared motion; below: the logged order is right
+# Chosen: 20 times the 0.001 rad of good sensors; deg/s instead of rad/s gives 57 times.
+MAX_STILL_DRIFT = 0.02  # [rad] RMS of integrated dq per window at rest, above which dq is doubtful
+# Chosen: ten times the 0.001 rad that velocity noise gives in a window.
+MIN_MOTION = 0.01  # [rad] RMS change of q per window above which joints move
 
 
 def check_angles(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare the median of each joint angle with its limits; raises Error."""
+    """Compare the median of each joint angle with its limits; return warnings.
+
+    Raises:
+        Error: A median is far outside its limits.
+    """
     median = finite_median(log.columns["q"])
     lower, upper = robot.config.q_lower, robot.config.q_upper
     beyond = np.maximum(lower - median, median - upper)
@@ -31,6 +39,7 @@ def check_angles(robot: Robot, log: SensorLog) -> list[str]:
         return []
     radians = median / DEG_PER_RAD
     inside = np.all((radians > lower - DEGREES_MARGIN) & (radians < upper + DEGREES_MARGIN))
+    # 6 rad: within a turn of a joint, angles may be radians with a wrong zero.
     if inside and np.abs(median).max() > 6.0:
         raise Error(
             f"{log.source}: column 'q': got a median of {median[worst]:.1f} for "
@@ -45,7 +54,11 @@ def check_angles(robot: Robot, log: SensorLog) -> list[str]:
 
 
 def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare the integral of dq with the change of q; raises Error."""
+    """Compare the integral of dq with the change of q; return warnings.
+
+    Raises:
+        Error: dq has a wrong unit, sign or order of legs.
+    """
     if "dq" not in log.columns or len(windows) == 0:
         return []
     moving = np.sqrt(np.mean(windows.q_change**2, axis=1)) > MIN_MOTION
@@ -70,10 +83,16 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
 
 
 def _warn_moving_while_still(moved: Array, integrated: Array) -> list[str]:
-    """Return a warning if dq moves joints that are at rest by q; both arrays are (w, 12) [rad]."""
+    """Return a warning if joints are at rest in q but move in dq.
+
+    Args:
+        moved: (w, 12) change of q in each window [rad].
+        integrated: (w, 12) integral of dq over each window [rad].
+    """
     if len(moved) < 3:
         return []
     q_motion, dq_motion = (float(np.sqrt(np.mean(angles**2))) for angles in (moved, integrated))
+    # Chosen: five times is far above noise and far below 57, deg/s read as rad/s.
     if dq_motion < max(MAX_STILL_DRIFT, 5.0 * q_motion):
         return []
     return [
@@ -83,9 +102,10 @@ def _warn_moving_while_still(moved: Array, integrated: Array) -> list[str]:
 
 
 def _check_velocity_leg_order(log: SensorLog, moved: Array, integrated: Array) -> None:
-    """Raise Error if the velocities of a leg match the angles of another leg; arrays (w, 4, 3).
+    """Raise Error if the velocities of a leg match the angles of another leg.
 
-    All legs move much alike when the base moves, so only an order that fits far better counts.
+    When the base moves, all legs move almost alike. So only another order that fits far better is
+    an error. `moved` and `integrated` are (w, 4, 3) [rad].
     """
     squared_error = np.sum(
         (moved[:, :, None] - integrated[:, None]) ** 2, axis=(0, 3)

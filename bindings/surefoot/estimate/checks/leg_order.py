@@ -1,7 +1,8 @@
 """Checks of the order of the legs (FR FL RR RL) and of the signs of the hips, by foot positions.
 
-Each foot must be in its own quadrant of the base. Stance feet must also keep their distances while
-the base moves. If another order of legs or mirrored hips keep them far better, the log is wrong.
+Each foot must be in its own quadrant of the base. The distances between stance feet must also stay
+constant while the base moves. The log is wrong if another order of legs, or mirrored hips, keep
+these distances far better.
 """
 
 from __future__ import annotations
@@ -18,20 +19,23 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
 
-_QUADRANT_SIGNS = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y, rows FR FL RR RL
+_QUADRANT_SIGNS = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y; rows FR FL RR RL
 _SIGN = {1: "> 0", -1: "< 0"}
 _MIRRORED_LEGS = {"": [], "right hips": [0, 2], "left hips": [1, 3], "all hips": [0, 1, 2, 3]}
-SPAN_WINDOWS = 3  # windows in one comparison
-COMPARISONS = 12  # comparisons, where the joints move the most
-MAX_FOOT_SLIDE = 0.0015  # [m] more than stance feet move relative to each other in 0.3 s
-ORDER_FIT_RATIO = 0.15  # of the squared slide: another order below it fits far better
+# Chosen: 0.3 s and half a second of motion; the comparison with the most motion decides most.
+SPAN_WINDOWS = 3  # number of windows in one comparison
+COMPARISONS = 12  # number of comparisons, at the times of the most joint motion
+# Chosen. Below: rolling and noise of feet that stand; above: legs in a wrong order.
+MAX_FOOT_SLIDE = 0.0015  # [m] slide in 0.3 s below which the logged order is right
+# Chosen as in joints.py, but stricter: feet of right logs slip.
+ORDER_FIT_RATIO = 0.15  # ratio of squared slides, best to logged order; above it no error is found
 
 
 class _FootKinematics:
     """Forward kinematics of the feet from the joint angles."""
 
     def __init__(self, robot: Robot) -> None:
-        import pinocchio  # takes a second to load, so only when a log is checked
+        import pinocchio  # not at the top of the file, because the import takes a second
 
         self._pin: Any = pinocchio
         self._model = pinocchio.Model()
@@ -53,9 +57,10 @@ def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
     """Check the quadrants of the feet, and that stance feet keep their distances.
 
     Raises:
-        Error: The median of q puts a foot into the quadrant of another; or the feet slide relative
-            to each other as logged, but not in another order of legs or with mirrored hips. If
-            the torques do not show that the feet are loaded, the slide is only a warning.
+        Error: The median of q puts a foot into the quadrant of another foot. Or the feet slide
+            relative to each other with the logged angles, but not in another order of legs or with
+            mirrored hips. This slide is only a warning if the torques do not show that the feet
+            are loaded.
     """
     feet = _FootKinematics(robot)
     median = finite_median(log.columns["q"]).reshape(4, 3)
@@ -74,12 +79,18 @@ def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
 def _check_stance(
     robot: Robot, log: SensorLog, windows: Windows, feet: _FootKinematics
 ) -> list[str]:
-    """Find the order of legs, and the mirrored hips, that keep the distances of the feet best."""
+    """Find the order of legs and the hip signs that keep the distances between feet best.
+
+    Return a warning if the log has another order or other signs but the feet may not be loaded.
+
+    Raises:
+        Error: The log has another order or other signs, and the feet are loaded.
+    """
     moved, turned = (_span_sums(values) for values in (windows.q_change, windows.gyro_rotation))
     most_moving = np.argsort(-np.linalg.norm(moved, axis=1))[:COMPARISONS]
     if len(most_moving) == 0:
         return []
-    # [window, start or end, hip sign, leg, leg that the angles come from, xyz]
+    # Indices: window, start or end, hip sign, leg, leg that the angles belong to, xyz.
     rows = np.stack(
         [windows.start[most_moving], windows.end[most_moving + SPAN_WINDOWS - 1]], axis=1
     )
@@ -117,7 +128,7 @@ def _median_slide(placed: Array, back: Array) -> float:
 
     Args:
         placed: (w, 2, 4, 3) feet in base axes at start and end [m].
-        back: (w, 3, 3) rotation matrices, base axes at the start to base axes at the end.
+        back: (w, 3, 3) rotation matrices from base axes at the start to base axes at the end.
     """
     placed = placed - placed.mean(axis=2, keepdims=True)
     slide = placed[:, 1] - np.einsum("nij,nlj->nli", back, placed[:, 0])
@@ -125,13 +136,16 @@ def _median_slide(placed: Array, back: Array) -> float:
 
 
 def _span_sums(values: Array) -> Array:
-    """Return the sums (w - SPAN_WINDOWS + 1, k) over SPAN_WINDOWS consecutive values (w, k)."""
+    """Return the sums (w - SPAN_WINDOWS + 1, k) of SPAN_WINDOWS consecutive rows of (w, k)."""
     total = np.cumsum(np.vstack([np.zeros_like(values[:1]), values]), axis=0)
     return np.asarray(total[SPAN_WINDOWS:] - total[:-SPAN_WINDOWS])
 
 
 def _feet_with_exchanged_angles(feet: _FootKinematics, log: SensorLog, row: int) -> Array:
-    """Return each leg's foot with each leg's angles: (hip sign 2, leg 4, source leg 4, xyz 3)."""
+    """Return the foot position of each leg for the angles of each leg, base axes [m].
+
+    Shape (2, 4, 4, 3): hip sign, leg, leg that the angles belong to, xyz.
+    """
     angles = log.columns["q"][row].reshape(4, 3)
     table = np.zeros((2, 4, 4, 3))
     for mirrored, shift in itertools.product(range(2), range(4)):

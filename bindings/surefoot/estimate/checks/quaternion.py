@@ -1,4 +1,4 @@
-"""Checks of the quaternion: order w x y z, rotation from IMU to world."""
+"""Checks of the quaternion: it must have the order w x y z and rotate from IMU to world."""
 
 from __future__ import annotations
 
@@ -14,21 +14,28 @@ from surefoot.estimate.checks.windows import (
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rotation_vectors
 from surefoot.sensor_log.sensor_log import SensorLog
 
-WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] between the verticals of quaternion and accelerometer
+# Chosen; between the two the log is accepted. Below: 5 deg of attitude filters under acceleration;
+# above: the 180 deg of a swapped order. Arming refuses 10 deg.
+WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] angle from the accelerometer's vertical
+# Chosen; between the two the log is accepted. 0: the same rotations; 1: unrelated to the gyroscope.
 WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = (
     0.5,
     0.15,
-)  # squared error of rotations over their square
-_MIN_ROTATION = 0.01  # [rad] in a window: 0.1 rad/s, well above a bias
-_NORM_TOLERANCE = 0.1  # allowed error of the length 1
+)  # squared difference to the gyroscope's rotations, as a share of their square
+# Chosen: five times the default bias of a gyroscope, 0.02 rad/s.
+_MIN_ROTATION = 0.01  # [rad] smallest rotation of a window that is compared: 0.1 rad/s
+# Chosen: above the rounding of logs with two digits; degrees or halves are further off.
+_NORM_TOLERANCE = 0.1  # allowed difference between the length of a quaternion and 1
 
 
 def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare its vertical with the accelerometer and its rotations with the gyroscope.
+    """Compare the quaternion with the accelerometer and the gyroscope; return warnings.
+
+    The accelerometer must match the quaternion's vertical, the gyroscope its rotations.
 
     Raises:
-        Error: Both clearly fit better if the quaternion is read as x y z w or as world to IMU, or
-            if the accelerometer has the opposite sign.
+        Error: Both sensors fit clearly better if the quaternion is read as x y z w or as world to
+            IMU, or if the accelerometer has the opposite sign.
     """
     if "quaternion" not in log.columns or len(windows) == 0:
         return []
@@ -36,7 +43,8 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     lengths = np.linalg.norm(np.stack([first, second]), axis=2)
     unit = (np.abs(lengths - 1.0) < _NORM_TOLERANCE).all(axis=0)
     if not unit.any():
-        # An unused field is all zeros; the estimator then gives it the verdict ZERO.
+        # A robot without this field sends zeros. They need no warning: the estimator's verdict is
+        # ZERO.
         return [] if np.all(lengths == 0.0) else ["quaternion is far from unit length"]
     first, second = first[unit], second[unit]
     up, turned = unit_rows(windows.mean_acceleration[unit]), windows.gyro_rotation[unit]
@@ -79,7 +87,7 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
 
 
 def quaternion_rotations(log: SensorLog, windows: Windows) -> Array | None:
-    """Return the rotation vector of each window (w, 3) [rad]; None without unit quaternions."""
+    """Return the rotation vector of each window (w, 3) [rad]; None if not all have unit length."""
     if "quaternion" not in log.columns:
         return None
     pair = [
@@ -96,15 +104,18 @@ def _inverse(wxyz: Array) -> Array:
 
 
 def _rotations(first: Array, second: Array) -> Array:
-    """Return the rotation vectors from first to second, quaternions x y z w, in axes of first."""
+    """Return the rotation vectors (n, 3) [rad] from `first` to `second`, in the axes of `first`.
+
+    Both are (n, 4) quaternions x y z w.
+    """
     R = np.swapaxes(matrices_from_xyzw(first), 1, 2) @ matrices_from_xyzw(second)
     return rotation_vectors(R)
 
 
 def _score(first: Array, second: Array, up: Array, turned: Array) -> tuple[float, float]:
-    """Return the median angle between verticals [deg] and the rotation error.
+    """Return the median angle between verticals [deg], and the relative squared rotation error.
 
-    The error is relative and squared, and NaN if too few windows rotate.
+    The rotation error is NaN if too few windows rotate.
     """
     tilt = float(np.median(angles_between(matrices_from_xyzw(first)[:, 2, :], up)))
     rotating = np.linalg.norm(turned, axis=1) > _MIN_ROTATION
@@ -118,6 +129,7 @@ def _warnings(tilt: float, error: float, wxyz: Array) -> list[str]:
     doubts = []
     if tilt > WRONG_TILT:
         doubts.append(f"quaternion: vertical {tilt:.0f} deg from that of the accelerometer")
+    # Near (0, 0, 0, 1), a level robot with heading 0 whose order is x y z w.
     elif not error < WRONG_ROTATION_ERROR and abs(wxyz[0, 0]) < 0.1 and abs(wxyz[0, 3]) > 0.99:
         doubts.append(
             "quaternion starts as 0 0 0 1: is it a heading of 180 deg, or the order x y z w?"

@@ -1,4 +1,4 @@
-"""Checks of the joint torques: the sign that carries the robot."""
+"""Checks of the sign of the joint torques: the calf torques must carry the robot."""
 
 from __future__ import annotations
 
@@ -12,15 +12,19 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-MAX_PULLING_SHARE = -0.3  # of a leg's share of the weight: below it the foot pulls the ground up
-MIN_LOADED_SHARE = 0.3  # of a leg's share of the weight: above it the foot is loaded
+# Chosen, equal to either side: 1 for a foot that stands, -1 with the other sign; 0 in the air.
+MAX_PULLING_SHARE = -0.3  # calf torque over that of a loaded leg, below which the foot pulls
+MIN_LOADED_SHARE = 0.3  # calf torque over that of a loaded leg, above which the foot is loaded
 
 
 def check_torques(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare the median calf torques with those that carry the weight in the median pose.
+    """Compare the median calf torques with the torques that carry the weight in the median pose.
+
+    Returns:
+        Warnings.
 
     Raises:
-        Error: All four feet pull the ground up.
+        Error: The torques of all four legs have the wrong sign: the feet would pull the ground up.
     """
     if "tauEst" not in log.columns:
         return []

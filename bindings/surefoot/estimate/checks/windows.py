@@ -10,15 +10,18 @@ import numpy.typing as npt
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.sensor_log import SensorLog
 
-WINDOW_TIME = 0.1  # [s]
-MIN_ROTATION = 0.003  # [rad] in a window: 0.03 rad/s, above noise and bias of a gyroscope
-MIN_WINDOWS = 5  # windows that a comparison needs
+# Chosen. Below: noise of single samples; above: motion reverses within a window.
+WINDOW_TIME = 0.1  # [s] duration of a window
+# Chosen: the bias is 0.02 rad/s by default (gain start_gyroscope_bias).
+MIN_ROTATION = 0.003  # [rad] smallest rotation of a window that is compared: 0.03 rad/s
+# Chosen: half a second of motion, so that one impact decides nothing.
+MIN_WINDOWS = 5  # smallest number of windows for a comparison
 DEG_PER_RAD = 180.0 / np.pi
 
 
 @dataclass(frozen=True)
 class Windows:
-    """The finite rows of a log, cut into windows of about 0.1 s.
+    """Motion and sensor data of a log in windows of about 0.1 s, made of its finite rows.
 
     Attributes:
         start: (w,) rows of the log where the windows begin.
@@ -41,7 +44,7 @@ class Windows:
 
 
 def cut_windows(log: SensorLog) -> Windows:
-    """Cut a log into windows; leave out those shorter than 0.05 s or longer than 0.15 s."""
+    """Cut a log into windows; omit windows shorter than 0.05 s or longer than 0.15 s."""
     names = [name for name in ("gyroscope", "accelerometer", "q", "dq") if name in log.columns]
     good = np.isfinite(log.time)
     for name in names:
@@ -75,13 +78,13 @@ def cut_windows(log: SensorLog) -> Windows:
 
 
 def finite_median(values: Array) -> Array:
-    """Return the median (k,) of the finite rows of values (n, k); NaN if there are none."""
+    """Return the median (k,) of the finite rows of values (n, k); NaN if no row is finite."""
     finite = values[np.isfinite(values).all(axis=1)]
     return np.median(finite, axis=0) if len(finite) else np.full(values.shape[1], np.nan)
 
 
 def unit_rows(values: Array) -> Array:
-    """Return the rows (n, k) scaled to length 1; zeros stay."""
+    """Return the rows (n, k) scaled to length 1; rows of zeros stay zero."""
     return np.asarray(values / np.maximum(np.linalg.norm(values, axis=1, keepdims=True), 1e-12))
 
 

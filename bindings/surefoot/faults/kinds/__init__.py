@@ -1,1 +1,1 @@
-"""Kinds of faults: how each changes commands, samples, the link or the surroundings."""
+"""Kinds of faults: how each fault changes commands, samples, the link or the surroundings."""

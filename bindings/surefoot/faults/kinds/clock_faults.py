@@ -1,4 +1,4 @@
-"""Faults of time: LowState.tick, periods that the control loop misses, operator actions."""
+"""Faults of time: wrong LowState.tick, missed periods of the control loop, operator actions."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from surefoot._core import LowCmd, LowState, Supervisor, damping_low_cmd
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Plant
 
-# Control periods without a command after which a robot damps by itself. Derived: 100 ms at 500 Hz,
-# kRobotWatchdogTime (controller/src/common/command_times.hpp) and the virtual robot's time-out.
+# Number of control periods without a command after which a robot damps by itself. Derived: 100 ms
+# at 500 Hz, as kRobotWatchdogTime (controller/src/common/command_times.hpp) and the default timeout
+# of the virtual robot.
 WATCHDOG_PERIODS = 50
 
 
@@ -19,7 +20,8 @@ class TickFault(Fault):
     """The robot's clock reports wrong ticks.
 
     Args:
-        reported: Returns the reported tick [ms] for the true tick and the period k.
+        reported: Function of the true tick [ms] and the period k that returns the reported tick
+            [ms].
     """
 
     uses_frames = True
@@ -28,7 +30,7 @@ class TickFault(Fault):
         self._reported = reported
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Replace the tick."""
+        """Replace the tick of a sample."""
         state.tick = self._reported(state.tick, k) % 2**32
 
 
@@ -36,7 +38,7 @@ class TickOverflow(Fault):
     """The robot's clock overflows soon after the fault begins.
 
     Args:
-        bits: Size of the counter: 32, or 31 where the tick is read as a signed number.
+        bits: Size of the counter: 32, or 31 to test a reader that takes the tick as signed.
     """
 
     uses_frames = True
@@ -45,33 +47,33 @@ class TickOverflow(Fault):
         self._bits = bits
 
     def tick0(self, onset: int) -> int | None:
-        """Return the first tick for which the overflow comes 100 ms after the onset."""
+        """Return the first tick [ms] with which the clock overflows 100 ms after the onset."""
         return int((2**self._bits - 100 - onset) % 2**32)
 
 
 class MissedPeriods(Fault):
-    """The control loop misses periods; the motors keep the last command.
+    """The control loop misses periods, and the motors keep the last command.
 
     Args:
-        missed: Returns True if the loop misses period k.
+        missed: Function of the period k that returns True if the loop misses this period.
     """
 
     def __init__(self, missed: Callable[[int], bool]) -> None:
         self._missed, self._missed_count = missed, 0
 
     def loop_runs(self, k: int) -> bool:
-        """Return False in a missed period."""
+        """Return True unless the loop misses period k."""
         self._missed_count = self._missed_count + 1 if self._missed(k) else 0
         return self._missed_count == 0
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Damp the motors after 100 ms without a command, as the robot does by itself."""
+        """Damp the motors after 100 ms without a command, as a robot does by itself."""
         if self._missed_count > WATCHDOG_PERIODS:
-            command.raw[:] = damping_low_cmd(3.0).raw  # [N.m.s/rad] sim.hardware.motors.BRAKE_KD
+            command.raw[:] = damping_low_cmd(3.0).raw  # [N.m.s/rad] as sim.hardware.motors.BRAKE_KD
 
 
 class ProgramSuspended(MissedPeriods):
-    """The control process is suspended once; its reaction counts from when it resumes.
+    """The control process is suspended once; reaction times count from the end of the suspension.
 
     Args:
         periods: Duration of the suspension in control periods.
@@ -82,7 +84,7 @@ class ProgramSuspended(MissedPeriods):
         self._remaining = periods
 
     def is_observable(self, plant: Plant) -> bool:
-        """Return True once the process has resumed."""
+        """Return True after the suspension."""
         self._remaining -= 1
         return self._remaining < 0
 
@@ -91,25 +93,25 @@ class OperatorAction(Fault):
     """An operator calls functions of the supervisor.
 
     Args:
-        act: Called with the supervisor and k before each tick k.
+        act: Function of the supervisor and of k that is called before each tick k.
     """
 
     def __init__(self, act: Callable[[Supervisor, int], object]) -> None:
         self._act = act
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Perform the action."""
+        """Perform the action of the operator."""
         self._act(supervisor, k)
 
 
 def random_periods(share: float) -> Callable[[int], bool]:
-    """Return a function of the period that is True at random with probability `share`."""
-    rng = np.random.default_rng(11)  # any seed: runs repeat
+    """Return a function of the period k that returns True with probability `share`."""
+    rng = np.random.default_rng(11)  # any fixed seed, so that runs repeat
     return lambda k: bool(rng.uniform() < share)
 
 
 class FrozenTick(TickFault):
-    """The tick is constant while all other data is new."""
+    """The tick stays constant while all other data of the samples is new."""
 
     def __init__(self) -> None:
         ticks: list[int] = []
@@ -122,12 +124,12 @@ class FrozenTick(TickFault):
 
 
 def restarted_clock() -> Callable[[int, int], int]:
-    """Return a clock that restarts at 0 and advances by 2 ms per period."""
+    """Return a clock for TickFault that restarts at 0 and advances by 2 ms per period."""
     return lambda tick, k: 2 * k
 
 
 def clock_at_speed(per_period: int) -> Callable[[int, int], int]:
-    """Return a clock that advances by `per_period` [ms] per period from its value at the onset."""
+    """Return a clock for TickFault that advances by `per_period` [ms] in every period of 2 ms."""
     ticks: list[int] = []
 
     def reported(tick: int, k: int) -> int:

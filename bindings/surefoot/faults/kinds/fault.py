@@ -1,4 +1,4 @@
-"""Base class of faults: hooks between the robot (plant) and its supervisor."""
+"""Base class of faults: hooks between the plant and the supervisor."""
 
 from __future__ import annotations
 
@@ -8,20 +8,21 @@ from surefoot.sim import Plant, PlantSettings
 
 
 class Fault:
-    """A fault with hooks that all leave the data unchanged; subclasses override some of them.
+    """Base class of faults. Its hooks change nothing; a subclass overrides the hooks that it needs.
 
-    k counts control periods since the fault began. Hooks with a k are called only from then on.
+    The onset is the time at which the fault begins. k is the number of control periods since the
+    onset. Hooks with a parameter k are called only after the onset.
 
     Attributes:
-        from_start: True if the fault exists before arming, instead of from a moment in a mode on.
-        uses_frames: True if samples travel as frames through a UdpLink.
+        from_start: True: the onset is before arming. False: the onset is in the mode of the cell.
+        uses_frames: True: the supervisor receives its samples as encoded frames through a UdpLink.
     """
 
     from_start = False
     uses_frames = False
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the settings of the plant."""
+        """Return the settings of the plant, changed by the fault."""
         return settings
 
     def assumed_robot(self, robot: Robot) -> Robot:
@@ -29,7 +30,7 @@ class Fault:
         return robot
 
     def tick0(self, onset: int) -> int | None:
-        """Return LowState.tick of the first sample [ms], or None for 0.
+        """Return LowState.tick of the first sample [ms]; None: 0.
 
         Args:
             onset: Time from the first sample to the onset of the fault [ms].
@@ -55,7 +56,7 @@ class Fault:
         """Change the plant once at the onset."""
 
     def loop_runs(self, k: int) -> bool:
-        """Return True if the control loop runs in period k."""
+        """Return True if the control loop runs in period k, False if it misses the period."""
         return True
 
     def update_before(self, supervisor: Supervisor) -> None:
@@ -65,26 +66,29 @@ class Fault:
         """Change a sample in place."""
 
     def change_frame(self, frame: bytes, k: int) -> list[bytes]:
-        """Return the datagrams that arrive instead of a sample's frame."""
+        """Return the datagrams that arrive in period k instead of the frame of the sample."""
         return [frame]
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
         """Perform operator actions before tick k."""
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Change the command to the motors in place."""
+        """Change a command in place before the motors receive it."""
 
     def is_observable(self, plant: Plant) -> bool:
-        """Return True if the fault can be observed; times count from the first such period."""
+        """Return True if the fault has an effect that the supervisor can observe.
+
+        Reaction times count from the first period in which this method returns True.
+        """
         return True
 
     def problems(self) -> list[str]:
-        """Return the problems that the fault itself found."""
+        """Return the problems that the fault itself found, as text; empty if it found none."""
         return []
 
 
 class CombinedFault(Fault):
-    """Several faults at once.
+    """Several faults at the same time.
 
     Args:
         faults: Faults, in the order in which their hooks run.
@@ -96,13 +100,13 @@ class CombinedFault(Fault):
         self.from_start = any(fault.from_start for fault in faults)
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Return the robot model after all faults."""
+        """Return the robot model, changed by all faults."""
         for fault in self._faults:
             robot = fault.assumed_robot(robot)
         return robot
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the plant settings after all faults."""
+        """Return the plant settings, changed by all faults."""
         for fault in self._faults:
             settings = fault.plant_settings(settings)
         return settings

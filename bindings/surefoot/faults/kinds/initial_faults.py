@@ -1,4 +1,4 @@
-"""Faults from before arming: wiring, wrong robot model, unmodelled surroundings and payload."""
+"""Faults that begin before arming: wrong wiring, robot model, surroundings, payload or pose."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ from surefoot.geometry.rotations import Array
 from surefoot.robot.loading import load_robot
 from surefoot.sim import Plant, PlantSettings
 
-SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}  # most similar robot
-DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}  # robot of another size
+SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}  # by robot: the most similar
+DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}  # by robot: one of other size
 
 
 class WrongWiring(Fault):
-    """Motors are wired in another order or turn the other way, from the start.
+    """Motors are wired in a wrong order or turn in the wrong direction, from the start.
 
     Args:
-        order: order[i] is the motor that is driven and reported as motor i.
-        reversed_motors: Motors that turn the other way.
+        order: order[i] is the true motor that receives the commands and sends the values of motor
+            i; a motor without an entry has its own number.
+        reversed_motors: Motors that turn in the wrong direction.
     """
 
     from_start = True
@@ -33,19 +34,20 @@ class WrongWiring(Fault):
         self._reversed_motors = reversed_motors
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Report the motors in the wrong order and direction."""
-        # Offset and size of motorState in the SDK's LowState.
+        """Change order and direction of the motors in a sample."""
+        # motorState of the SDK's LowState begins at byte 75 and has 38 bytes per motor.
         motors = state.raw[75 : 75 + 12 * 38].reshape(12, 38)
         motors[:] = motors[self._order]
         for name in ("q", "dq", "tauEst"):
             signal_view(state, name)[list(self._reversed_motors)] *= -1.0
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Drive the motors in the wrong order and direction."""
+        """Change order and direction of the motors in a command."""
+        # |dq| >= 1e3 rad/s is VelStopF (16000). VelStopF is not a velocity, so its sign stays.
         for i in self._reversed_motors:
             motor = command.motorCmd[i]
             motor.tau, motor.dq = -motor.tau, -motor.dq if abs(motor.dq) < 1e3 else motor.dq
-        # Offset and size of motorCmd in the SDK's LowCmd; |dq| >= 1e3 rad/s is VelStopF (16000).
+        # motorCmd of the SDK's LowCmd begins at byte 22 and has 33 bytes per motor.
         motors = command.raw[22 : 22 + 12 * 33].reshape(12, 33)
         commanded = motors.copy()
         motors[self._order] = commanded
@@ -55,7 +57,7 @@ class WrongRobot(Fault):
     """The supervisor has the model of another robot, from the start.
 
     Args:
-        others: Name of the model by the robot's name.
+        others: Name of the wrong model, by the name of the true robot.
     """
 
     from_start = True
@@ -64,7 +66,7 @@ class WrongRobot(Fault):
         self._others = others
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Return the model of the other robot."""
+        """Return the wrong model."""
         return load_robot(self._others.get(robot.name, "go1"))
 
 
@@ -73,8 +75,8 @@ class ChangedSurroundings(Fault):
 
     Args:
         friction: Friction coefficient of the ground.
-        sink: Depth that feet sink into the ground [m]; see PlantSettings.soft_ground_sink.
-        hung: True if the robot hangs in the air.
+        sink: Depth by which feet sink into the ground [m]; see PlantSettings.soft_ground_sink.
+        hung: True: the robot hangs in the air.
     """
 
     from_start = True
@@ -89,7 +91,7 @@ class ChangedSurroundings(Fault):
         )
 
     def start(self, plant: Plant, lying: Array) -> LowState:
-        """Lay the robot down unless it hangs."""
+        """Put the robot into its lying pose, or let it hang; return the first sample."""
         return plant.reset() if self._hung else super().start(plant, lying)
 
 
@@ -99,7 +101,8 @@ class UnknownPayload(Fault):
     Args:
         share: Payload as a share of the robot's mass.
         x: Forward position of the payload in the base frame [m].
-        limit: SupervisorOptions.payload_limit as a share of the robot's mass; 0 sets no limit.
+        limit: SupervisorOptions.payload_limit as a share of the robot's mass; 0: the option keeps
+            its default.
     """
 
     from_start = True
@@ -108,7 +111,7 @@ class UnknownPayload(Fault):
         self._share, self._x, self._limit, self._mass = share, x, limit, 0.0
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Store the mass of the robot."""
+        """Store the mass of the robot; return the model unchanged."""
         self._mass = robot.mass
         return robot
 
@@ -120,7 +123,7 @@ class UnknownPayload(Fault):
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
         """Return the plant settings with the payload."""
         load = self._share * self._mass
-        # 0.1 m above the origin of the base: on the back of a small robot.
+        # The payload is 0.1 m above the origin of the base: on the back of a small robot.
         return replace(settings, payload_kg=load, payload_position=(self._x, 0.0, 0.1))
 
 
@@ -130,19 +133,19 @@ class StartsStanding(Fault):
     from_start = True
 
     def start(self, plant: Plant, lying: Array) -> LowState:
-        """Put the robot into its standing pose."""
+        """Put the robot into its standing pose; return the first sample."""
         return plant.reset()
 
 
 def swapped_legs(one: int, other: int) -> dict[int, int]:
-    """Return a motor order with two legs swapped; legs 0 .. 3 are FR FL RR RL."""
+    """Return an order for WrongWiring that swaps the motors of two legs (0 .. 3, in leg order)."""
     first, second = 3 * one, 3 * other
     return {a + i: b + i for a, b in ((first, second), (second, first)) for i in range(3)}
 
 
 def reported_slope() -> Fault:
-    """Return a fault whose samples show a pitch of 35 degrees for a robot that lies level."""
-    angle = np.radians(35.0)  # above the 25 degrees that the arming checks allow
+    """Return a fault whose samples report a pitch of 35 degrees for a robot that lies level."""
+    angle = np.radians(35.0)  # above the limit of the arming checks, 25 degrees
     return CombinedFault(
         AttitudeFault(lambda k: 35.0, 1),
         SignalFault("accelerometer", constant(-9.81 * np.sin(angle)), 0),

@@ -1,4 +1,4 @@
-"""Invalid options and gains: the supervisor must refuse each by its name."""
+"""Invalid options and gains: the supervisor must refuse each of them and name it in the error."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from surefoot.faults.kinds.fault import Fault
 
 
 class InvalidConfig(Fault):
-    """Supervisors are constructed with invalid options and gains."""
+    """Construction of supervisors with invalid options and gains, once at the onset."""
 
     def __init__(self) -> None:
         self._robot: Robot | None = None
         self._problems: list[str] = []
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Store the robot model."""
+        """Store the robot model and return it unchanged."""
         self._robot = robot
         return robot
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Construct the supervisors; each error must name the invalid value."""
+        """Construct the supervisors once; each error must name the invalid option or gain."""
         robot = self._robot
         if k or robot is None:
             return
@@ -44,7 +44,7 @@ class InvalidConfig(Fault):
                 self._problems.append(f"{name}: accepted")
 
     def problems(self) -> list[str]:
-        """Return the invalid values that were not refused by name."""
+        """Return the invalid values that were accepted, or whose error does not name them."""
         return self._problems
 
 

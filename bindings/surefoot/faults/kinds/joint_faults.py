@@ -1,4 +1,4 @@
-"""Faults of measured joint angles and power: beyond a stop, or above the protection's level."""
+"""Faults of measurements: joint angles beyond a limit, power above the level of the protection."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.robot.power_level import power_level
 
 WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's PowerProtect; Safety::kWattsPerLevel
-# [rad/s] reported speed of the knees. Chosen: below, torques beyond the plausible range of a
-# LowState; above, the speed limits of motors (15 rad/s and more).
+# [rad/s] Reported speed of the knees. Chosen: a lower speed would need torques beyond the plausible
+# range of a LowState; the speed limits of motors are higher (15 rad/s and more).
 KNEE_SPEED = 5.0
 
 
@@ -18,10 +18,10 @@ class JointOutsideLimits(Fault):
     """A joint reports an angle outside its limits.
 
     Args:
-        by: Distance beyond the limit [rad].
-        motor: Motor number.
-        below: True for the lower limit, False for the upper.
-        every: The fault is in one of this many samples.
+        by: Distance of the reported angle beyond the limit [rad].
+        motor: Number of the motor.
+        below: True: beyond the lower limit. False: beyond the upper limit.
+        every: Number of samples of which one has the fault.
     """
 
     def __init__(self, by: float, motor: int, below: bool, every: int = 1) -> None:
@@ -29,14 +29,14 @@ class JointOutsideLimits(Fault):
         self._q = math.nan
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Compute the reported angle from the joint limits."""
+        """Compute the reported angle from the joint limits; return the model unchanged."""
         config = robot.config
         lower, upper = config.q_lower[self._motor], config.q_upper[self._motor]
         self._q = lower - self._by if self._below else upper + self._by
         return robot
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Replace the joint angle."""
+        """Replace the joint angle in a sample."""
         if k % self._every == 0:
             state.motorState[self._motor].q = self._q
 
@@ -45,9 +45,9 @@ class PowerOverload(Fault):
     """The four knees report more power than the power protection allows.
 
     Args:
-        power_ratio: Reported power over the power of the protection's level.
-        every: Length of a cycle in samples.
-        length: Number of samples at the start of each cycle that report it.
+        power_ratio: Ratio of the reported power to the power at which the protection trips.
+        every: Number of samples in a cycle.
+        length: Number of samples at the start of each cycle that report the overload.
     """
 
     def __init__(self, power_ratio: float, every: int = 1, length: int = 1) -> None:
@@ -55,13 +55,13 @@ class PowerOverload(Fault):
         self._torque = 0.0
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Compute the reported torque from the robot's power level."""
+        """Compute the reported torque from the robot's power level; return the model unchanged."""
         watts = self._power_ratio * WATTS_PER_LEVEL * power_level(robot.name)
         self._torque = watts / 4 / KNEE_SPEED
         return robot
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Replace speed and torque of the knees."""
+        """Replace speed and torque of the four knees in a sample."""
         if k % self._every < self._length:
             for motor in (2, 5, 8, 11):
                 state.motorState[motor].dq = KNEE_SPEED

@@ -1,4 +1,4 @@
-"""Faults of the link: changes of the LowState frames on their way."""
+"""Faults of the link: changes of the LowState frames between robot and supervisor."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.protocol import crc32
 
 FrameChange = Callable[[bytes, int], list[bytes]]
-"""Returns the datagrams that arrive instead of a frame in period k."""
+"""Function of a frame and the period k that returns the datagrams that arrive instead."""
 
 
 class LinkFault(Fault):
-    """Frames do not arrive as they were sent.
+    """Frames do not arrive as the robot sent them.
 
     Args:
-        damage: Change of the frames.
+        damage: Function that changes the frames.
     """
 
     uses_frames = True
@@ -26,7 +26,7 @@ class LinkFault(Fault):
         self._damage = damage
 
     def change_frame(self, frame: bytes, k: int) -> list[bytes]:
-        """Return the datagrams that arrive."""
+        """Return the datagrams that arrive instead of the frame."""
         return self._damage(frame, k)
 
 
@@ -36,7 +36,7 @@ def no_frame(frame: bytes, k: int) -> list[bytes]:
 
 
 def frozen_frame() -> FrameChange:
-    """Return a change that repeats the first frame."""
+    """Return a change that delivers the first frame in every period."""
     kept: list[bytes] = []
 
     def damage(frame: bytes, k: int) -> list[bytes]:
@@ -47,7 +47,7 @@ def frozen_frame() -> FrameChange:
 
 
 def flipped_bit(frame: bytes, k: int) -> list[bytes]:
-    """Flip one bit; the CRC stays the old one."""
+    """Flip one bit of the frame without a change of the CRC."""
     damaged = bytearray(frame)
     damaged[(37 * k) % len(frame)] ^= 1 << k % 8
     return [bytes(damaged)]
@@ -64,7 +64,7 @@ def truncated(frame: bytes, k: int) -> list[bytes]:
 
 
 def wrong_length(size: int) -> FrameChange:
-    """Return a change to frames of another generation's length, with a valid CRC."""
+    """Return a change that gives frames a length of `size` bytes and a valid CRC."""
 
     def damage(frame: bytes, k: int) -> list[bytes]:
         body = frame[: size - 4].ljust(size - 4, b"\0")
@@ -75,17 +75,17 @@ def wrong_length(size: int) -> FrameChange:
 
 def random_loss(share: float) -> FrameChange:
     """Return a change that loses frames at random with probability `share`."""
-    rng = np.random.default_rng(5)  # any seed: runs repeat
+    rng = np.random.default_rng(5)  # any fixed seed, so that runs repeat
     return lambda frame, k: [] if rng.uniform() < share else [frame]
 
 
 def intermittent(damage: FrameChange, every: int, length: int = 1) -> FrameChange:
-    """Return a change that acts on the first `length` of every `every` frames."""
+    """Return a change that damages the first `length` frames in each cycle of `every` frames."""
     return lambda frame, k: damage(frame, k) if k % every < length else [frame]
 
 
 def delayed(ticks: int, every: int = 1) -> FrameChange:
-    """Return a change that delays one of `every` frames by `ticks` periods."""
+    """Return a change that delays one in `every` frames by `ticks` periods."""
     waiting: list[tuple[int, bytes]] = []
 
     def damage(frame: bytes, k: int) -> list[bytes]:
@@ -100,7 +100,7 @@ def delayed(ticks: int, every: int = 1) -> FrameChange:
 
 
 def swapped(every: int) -> FrameChange:
-    """Return a change in which the next frame overtakes one of `every` frames."""
+    """Return a change after which one in `every` frames arrives after the next frame."""
     return delayed(1, every)
 
 

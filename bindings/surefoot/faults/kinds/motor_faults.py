@@ -1,4 +1,4 @@
-"""Faults of motors: how a motor changes its command, and what it then reports."""
+"""Faults of motors: how a motor executes its command, and what it reports."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.faults.kinds.signals import signal_view
 from surefoot.sim.hardware.motors import DAMPING_MODE
 
-OVERHEATED_MODE = 8  # motor mode of an overheated motor, as in the SDK's comm.h
+OVERHEATED_MODE = 8  # motor mode of an overheated motor in comm.h of the SDK
 
 
 class WeakMotor(Fault):
-    """A motor makes less torque than commanded, and tauEst shows it.
+    """A motor gives less torque than commanded, and its tauEst is the torque that it gives.
 
     Args:
-        motor: Motor number.
-        share: Share of the commanded torque that the motor makes.
+        motor: Number of the motor.
+        share: Share of the commanded torque that the motor gives.
     """
 
     def __init__(self, motor: int, share: float) -> None:
         self._motor, self._share = motor, share
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Scale torque, Kp and Kd of the command."""
+        """Scale torque, Kp and Kd in the command of the motor."""
         motor = command.motorCmd[self._motor]
         motor.tau, motor.Kp, motor.Kd = (
             self._share * value for value in (motor.tau, motor.Kp, motor.Kd)
@@ -35,16 +35,17 @@ class DeadMotor(Fault):
     """A motor switches itself off.
 
     Args:
-        motor: Motor number.
-        mode: Reported motor mode: with 0x00 the motor brakes, with 0x08 (overheated) it is free.
-        periods: Control periods until the motor works again.
+        motor: Number of the motor.
+        mode: Reported motor mode. With mode 0x00 the motor brakes; with mode 0x08 (overheated) it
+            turns freely.
+        periods: Number of control periods until the motor works again.
     """
 
     def __init__(self, motor: int, mode: int, periods: int = 10**9) -> None:
         self._motor, self._mode, self._periods = motor, mode, periods
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Remove the command of the motor."""
+        """Replace the command of the motor by braking or by no torque."""
         if k >= self._periods:
             return
         motor = command.motorCmd[self._motor]
@@ -54,7 +55,7 @@ class DeadMotor(Fault):
             motor.tau = motor.Kp = motor.Kd = 0.0
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Report the mode; a free motor reports no torque."""
+        """Replace the motor mode in a sample; a motor that turns freely reports no torque."""
         if k < self._periods:
             motor = state.motorState[self._motor]
             motor.mode = self._mode
@@ -62,10 +63,10 @@ class DeadMotor(Fault):
 
 
 class UnresponsiveMotors(Fault):
-    """Motors keep the command from the onset and report no problem.
+    """Motors keep the command that they have at the onset, and report no problem.
 
     Args:
-        motors: Motor numbers.
+        motors: Numbers of the motors.
     """
 
     def __init__(self, motors: list[int]) -> None:
@@ -73,7 +74,7 @@ class UnresponsiveMotors(Fault):
         self._held_command: LowCmd | None = None
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Replace the command by the held one."""
+        """Replace the commands of the motors by their commands at the onset."""
         if self._held_command is None:
             self._held_command = LowCmd()
             self._held_command.raw[:] = command.raw
@@ -84,10 +85,10 @@ class UnresponsiveMotors(Fault):
 
 
 class SecondController(Fault):
-    """Another controller holds the joints at their angles from the onset.
+    """A second controller holds the joints at the angles that they have at the onset.
 
     Args:
-        every: It overwrites one of this many commands.
+        every: Number of commands of which the second controller overwrites one.
     """
 
     def __init__(self, every: int = 1) -> None:
@@ -105,5 +106,5 @@ class SecondController(Fault):
             return
         for i, q in enumerate(self._q):
             motor = command.motorCmd[i]
-            # [N.m/rad], [N.m.s/rad] chosen: the size of the vendor's stand gains.
+            # Kp [N.m/rad] and Kd [N.m.s/rad] are chosen, similar to the vendor's standing gains.
             motor.q, motor.dq, motor.tau, motor.Kp, motor.Kd = q, 0.0, 0.0, 60.0, 2.0

@@ -1,4 +1,4 @@
-"""Faults of operators and calling programs: stops, jumps of references, invalid requests."""
+"""Faults of operators and calling programs: stops, jumping references, invalid requests."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from surefoot._core import (
 from surefoot.faults.kinds.clock_faults import OperatorAction
 from surefoot.faults.kinds.fault import Fault
 
-BUTTON_B = 2  # mask of button B in byte 3 of wirelessRemote (joystick.h of the SDK: bit 9)
+BUTTON_B = 2  # bit mask of button B in byte 3 of wirelessRemote; bit 9 in joystick.h of the SDK
 
 
 def stop(supervisor: Supervisor, k: int) -> None:
@@ -35,23 +35,23 @@ def stop_from_a_thread(supervisor: Supervisor, k: int) -> None:
 
 
 def lower_by_20_cm(supervisor: Supervisor, k: int) -> None:
-    """Request 20 cm less height."""
+    """Request a body height that is 20 cm lower."""
     supervisor.set_body_reference(BodyReference(height=-0.2))
 
 
 def nan_reference(supervisor: Supervisor, k: int) -> None:
-    """Request a height of NaN."""
+    """Request a body height of NaN."""
     supervisor.set_body_reference(BodyReference(height=float("nan")))
 
 
 def alternating_pose(supervisor: Supervisor, k: int) -> None:
-    """Request 3 cm to the left and to the right in turns, 50 periods each."""
+    """Request 3 cm to the right for 50 periods, then 3 cm to the left for 50 periods, and so on."""
     supervisor.set_body_reference(BodyReference(y=0.03 if k // 50 % 2 else -0.03))
 
 
 def random_poses() -> OperatorAction:
     """Return an operator action that requests another random pose in every tick."""
-    rng = np.random.default_rng(17)  # any seed: runs repeat
+    rng = np.random.default_rng(17)  # any fixed seed, so that runs repeat
 
     def request_pose(supervisor: Supervisor, k: int) -> None:
         supervisor.set_body_reference(BodyReference(*rng.uniform(-0.05, 0.05, 3)))
@@ -63,7 +63,7 @@ class RemoteStopPressed(Fault):
     """Button B of the remote is pressed for 0.1 s."""
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Set the button in the sample."""
+        """Set the button in a sample."""
         if k < 50:
             state.wirelessRemote[3] = BUTTON_B
 
@@ -79,7 +79,7 @@ class HeartbeatLost(Fault):
         self._timeout = timeout
 
     def set_options(self, options: SupervisorOptions) -> None:
-        """Set the timeout."""
+        """Set the operator timeout."""
         options.operator_timeout = self._timeout
 
     def update_before(self, supervisor: Supervisor) -> None:
@@ -88,13 +88,13 @@ class HeartbeatLost(Fault):
 
 
 class OutOfOrderRequests(Fault):
-    """All modes that are not allowed next are requested in every tick."""
+    """An operator requests, in every tick, all modes that the present mode does not allow next."""
 
     def __init__(self) -> None:
         self._accepted: set[str] = set()
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Request all modes that are not allowed next."""
+        """Request all modes that the present mode does not allow next."""
         current = supervisor.mode
         allowed = {Mode.PASSIVE: Mode.RISE, Mode.RISE: Mode.SIT, Mode.STAND: Mode.SIT}
         for mode in (Mode.PASSIVE, Mode.RISE, Mode.STAND, Mode.SIT, Mode.DAMPING):
@@ -104,15 +104,15 @@ class OutOfOrderRequests(Fault):
                 self._accepted.add(f"{mode.name} accepted in {current.name}")
 
     def problems(self) -> list[str]:
-        """Return the requests that were accepted."""
+        """Return the requests that the supervisor accepted, as text."""
         return sorted(self._accepted)
 
 
 class ConcurrentRequests(OutOfOrderRequests):
-    """The same requests come from four threads at once, in one of 50 ticks."""
+    """Four threads send the requests of OutOfOrderRequests at the same time, in 1 tick of 50."""
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Send the requests from four threads."""
+        """Send the requests from four threads at the same time."""
         if k % 50:
             return
         request = super().operate

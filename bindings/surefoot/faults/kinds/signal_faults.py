@@ -12,9 +12,10 @@ import numpy.typing as npt
 Values = npt.NDArray[Any]
 
 Change = Callable[[Values, int], None]
-"""Changes a signal in place; the int is k, the control periods since the fault began."""
+"""Function that changes a signal in place; its second argument k counts periods since the onset."""
 
 INJECTIONS = ("off", "stuck", "garbage", "wrong", "slow", "delayed", "intermittent")
+"""Kinds of injections: the names of Case.injection."""
 
 
 def off(values: Values, k: int) -> None:
@@ -23,7 +24,7 @@ def off(values: Values, k: int) -> None:
 
 
 def constant(value: float) -> Change:
-    """Return a change that sets the signal to a constant."""
+    """Return a change that sets the signal to a value."""
 
     def change(values: Values, k: int) -> None:
         values[...] = value
@@ -41,7 +42,7 @@ def offset(by: float | npt.ArrayLike) -> Change:
 
 
 def scaled(by: float) -> Change:
-    """Return a change that multiplies the signal."""
+    """Return a change that multiplies the signal by a factor."""
 
     def change(values: Values, k: int) -> None:
         values[...] = values * by
@@ -50,7 +51,7 @@ def scaled(by: float) -> Change:
 
 
 def drifting(per_tick: float) -> Change:
-    """Return a change that adds an offset which grows by `per_tick` every period."""
+    """Return a change that adds an offset; in every period the offset grows by `per_tick`."""
 
     def change(values: Values, k: int) -> None:
         values[...] = values + np.asarray((k + 1) * per_tick).astype(values.dtype)
@@ -59,8 +60,13 @@ def drifting(per_tick: float) -> Change:
 
 
 def garbage(size: float, whole: bool = False) -> Change:
-    """Return a change to uniform random values from -size to size; `whole` rounds them."""
-    rng = np.random.default_rng(7)  # any seed: runs repeat
+    """Return a change that sets the signal to uniform random values from -size to size.
+
+    Args:
+        size: Largest absolute value, in the unit of the signal.
+        whole: True: round the values to whole numbers.
+    """
+    rng = np.random.default_rng(7)  # any fixed seed, so that runs repeat
 
     def change(values: Values, k: int) -> None:
         drawn = rng.uniform(-size, size, values.shape)
@@ -82,7 +88,7 @@ def noise(size: float) -> Change:
 
 
 def slow(ticks: int) -> Change:
-    """Return a change that updates the signal only every `ticks` periods and holds it between."""
+    """Return a change that updates the signal only in one of `ticks` periods, and else holds it."""
     held: list[Values] = []
 
     def change(values: Values, k: int) -> None:
@@ -94,7 +100,7 @@ def slow(ticks: int) -> Change:
 
 
 def stuck() -> Change:
-    """Return a change that holds the value from the onset."""
+    """Return a change that holds the value that the signal has at the onset."""
     return slow(10**9)
 
 
@@ -112,7 +118,7 @@ def delayed(ticks: int) -> Change:
 
 
 def intermittent(change: Change, every: int, length: int = 1) -> Change:
-    """Return a change that acts in the first `length` of every `every` periods."""
+    """Return a change that acts in the first `length` periods of each cycle of `every` periods."""
 
     def change_at_intervals(values: Values, k: int) -> None:
         if k % every < length:
@@ -122,7 +128,7 @@ def intermittent(change: Change, every: int, length: int = 1) -> Change:
 
 
 def repeated(every: int) -> Change:
-    """Return a change that repeats the previous value in one of `every` periods."""
+    """Return a change that, in one of `every` periods, repeats the value of the period before."""
     last: list[Values] = []
 
     def change(values: Values, k: int) -> None:
@@ -135,7 +141,12 @@ def repeated(every: int) -> Change:
 
 
 def ramp(start: float, per_second: float) -> Change:
-    """Return a change to a ramp in units per second at 500 samples per second, within 0 .. 127."""
+    """Return a change that sets the signal to a ramp, clipped to 0 .. 127.
+
+    Args:
+        start: First value, in the unit of the signal.
+        per_second: Slope in units per second, for 500 samples per second.
+    """
 
     def change(values: Values, k: int) -> None:
         values[...] = np.clip(start + per_second * k / 500.0, 0, 127)

@@ -15,11 +15,11 @@ from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 
 Values = npt.NDArray[Any]
 _MOTOR = ("mode", "q", "dq", "tauEst", "temperature")
-_SOC, _CELLS, _REMOTE = slice(838, 839), slice(850, 870), slice(889, 929)  # bytes of LowState
+_SOC, _CELLS, _REMOTE = slice(838, 839), slice(850, 870), slice(889, 929)  # byte ranges in LowState
 
 
 def signal_view(state: LowState, name: str) -> Values:
-    """Return a writable view of a signal: a LowState array, or a field of all twelve motors."""
+    """Return a writable view of a signal: a field of LowState, or a field of all twelve motors."""
     fields = state.raw.view(LOW_STATE)[0]
     if name in _MOTOR:
         return np.asarray(fields["motorState"][name][:MOTOR_COUNT])
@@ -36,9 +36,9 @@ class SignalFault(Fault):
     """One signal is wrong.
 
     Args:
-        name: Signal: quaternion, gyroscope, q, tauEst, SOC and so on.
-        change: Change of the signal.
-        parts: Index or indices of motors, feet or axes to change; None changes all.
+        name: Name of the signal for signal_view(): quaternion, gyroscope, q, tauEst, SOC and so on.
+        change: Function that changes the signal.
+        parts: Index or indices of the motors, feet or axes to change; None: all.
     """
 
     def __init__(self, name: str, change: Change, parts: int | list[int] | None = None) -> None:
@@ -46,7 +46,7 @@ class SignalFault(Fault):
         self._parts = slice(None) if parts is None else np.atleast_1d(parts)
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change the signal."""
+        """Change the signal in a sample."""
         values = signal_view(state, self._name)
         if isinstance(self._parts, slice):
             self._change(values, k)
@@ -57,33 +57,34 @@ class SignalFault(Fault):
 
 
 class AllSensorsFault(Fault):
-    """All sensors are wrong in the same way, while the tick advances.
+    """All sensors are wrong in the same way, but the tick is right.
 
     Args:
-        change: Change of the bytes of IMU, motors and feet.
+        change: Function that changes the bytes of IMU, motors and feet.
     """
 
     def __init__(self, change: Change) -> None:
         self._change = change
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change the bytes of the sensors."""
+        """Change the bytes of the sensors in a sample."""
         self._change(state.raw[22:885], k)
 
 
 class AttitudeFault(Fault):
-    """The attitude of the IMU has an additional rotation.
+    """The IMU reports an attitude that is rotated from the true attitude.
 
     Args:
-        angle: Angle in period k [deg].
-        axis: Axis: 0 roll or 1 pitch of the IMU, 2 the vertical of the world.
+        angle: Function of the period k that returns the angle of this rotation [deg].
+        axis: Axis of this rotation: 0: x axis of the IMU (roll), 1: y axis of the IMU (pitch), 2:
+            z axis of the world.
     """
 
     def __init__(self, angle: Callable[[int], float], axis: int) -> None:
         self._angle, self._axis = angle, axis
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Rotate the quaternion."""
+        """Rotate the quaternion in a sample."""
         q = signal_view(state, "quaternion")
         half = np.radians(self._angle(k)) / 2
         turn = np.zeros(4)
@@ -93,18 +94,18 @@ class AttitudeFault(Fault):
 
 
 class RandomAttitudeFault(Fault):
-    """The IMU reports another random attitude in every sample."""
+    """The IMU reports a new random attitude in every sample."""
 
     def __init__(self) -> None:
-        self._rng = np.random.default_rng(13)  # any seed: runs repeat
+        self._rng = np.random.default_rng(13)  # any fixed seed, so that runs repeat
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Replace the quaternion by a random one."""
+        """Replace the quaternion in a sample by a random one."""
         q = self._rng.normal(size=4)
         signal_view(state, "quaternion")[:] = q / np.linalg.norm(q)
 
 
 def _product(a: Values, b: Values) -> Values:
-    """Return the quaternion product a b; order w, x, y, z."""
+    """Return the quaternion product a b; the order of components is w, x, y, z."""
     scalar = a[0] * b[0] - a[1:] @ b[1:]
     return np.concatenate([[scalar], a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:])])

@@ -8,17 +8,18 @@ from surefoot._core import RobotState, Supervisor, Task, TaskRows
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Lift, Plant, PlantSettings, Push
 
-PUSH_DURATION = 0.1  # [s] duration of pushes: the scorecard's standard push
+PUSH_DURATION = 0.1  # [s] duration of pushes, as STANDARD_PUSH of the scorecard
 
 
 class PushFault(Fault):
-    """A push far above the LIP push limit.
+    """A lateral push far above the LIP push limit.
 
     Args:
-        push_ratio: Impulse over the LIP push limit.
-        height: Height above the centre of mass, as a share of the height of the centre of mass.
-        until_down: True: times count from when a part other than a foot touches the ground, or the
-            tilt exceeds 60 degrees. False: they count from the start of the push.
+        push_ratio: Ratio of the impulse to the LIP push limit.
+        height: Height of the line of action above the centre of mass, as a share of the height of
+            the centre of mass.
+        until_down: True: reaction times count from the fall: a part other than a foot touches the
+            ground, or the tilt exceeds 60 degrees. False: reaction times count from the push.
     """
 
     def __init__(self, push_ratio: float, height: float, until_down: bool) -> None:
@@ -31,18 +32,18 @@ class PushFault(Fault):
         plant.add_push(Push("lateral", impulse, PUSH_DURATION, plant.time, height))
 
     def is_observable(self, plant: Plant) -> bool:
-        """Return True once the robot has fallen, or always if not until_down."""
+        """Return True if the robot has fallen; without until_down, always return True."""
         return plant.truth.fell if self._until_down else True
 
 
 class LiftFault(Fault):
-    """An external lift of the trunk or of a foot; the grip opens at the full height.
+    """An external lift of the trunk or of a foot; the part is released at the full height.
 
     Args:
-        part: "trunk" or a foot.
+        part: "trunk", or the name of a leg for its foot.
         height: Height of the lift [m].
-        duration: Duration until the grip begins to open [s].
-        ramp: Time in which the grip opens [s].
+        duration: Time from the start of the lift until the release begins [s].
+        ramp: Duration of the release [s].
     """
 
     def __init__(self, part: str, height: float, duration: float, ramp: float = 0.02) -> None:
@@ -55,7 +56,7 @@ class LiftFault(Fault):
 
 
 class WorkingFootSensors(Fault):
-    """The plant has working foot force sensors, even if those of the real robot do not work."""
+    """The plant has working foot force sensors, even if the real robot has none."""
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
         """Return the plant settings with foot force sensors."""
@@ -63,7 +64,7 @@ class WorkingFootSensors(Fault):
 
 
 class _CorruptTask(Task):
-    """Task of one row with weight 0; while active, it requests the corrupt value."""
+    """Task with one row; while `active`, the row has the corrupt value, otherwise weight 0."""
 
     def __init__(self, value: float, weight: float) -> None:
         super().__init__()
@@ -82,20 +83,20 @@ class _CorruptTask(Task):
 
 
 class CorruptQp(Fault):
-    """The data of the QP is corrupt, because of a task in the StandController.
+    """A task in the StandController makes the data of the QP corrupt.
 
     Args:
-        value: Lateral base acceleration that the task requests.
-        every: Length of a cycle in periods.
+        value: Desired lateral base acceleration of the task [m/s^2].
+        every: Number of periods in a cycle.
         burst: Number of periods at the start of each cycle in which the task is active.
-        weight: Weight of the row.
+        weight: Weight of the task's row.
     """
 
     def __init__(self, value: float, every: int = 1, burst: int = 1, weight: float = 1.0) -> None:
         self._task, self._every, self._burst = _CorruptTask(value, weight), every, burst
 
     def prepare(self, supervisor: Supervisor) -> None:
-        """Add the task."""
+        """Add the task to the StandController."""
         supervisor.stand_controller.add_task(self._task)
 
     def operate(self, supervisor: Supervisor, k: int) -> None:

@@ -1,1 +1,1 @@
-"""Fault matrix: set up a cell, run it, observe it, judge it, report it."""
+"""Fault matrix: sets up, runs, observes, judges and reports its cells."""

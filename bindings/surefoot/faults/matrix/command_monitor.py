@@ -1,4 +1,4 @@
-"""Checks of every command during a fault: finite values, torque, rate, power, hold time."""
+"""Checks of every command during a fault: finite values, torque, torque rate, power, hold time."""
 
 from __future__ import annotations
 
@@ -12,21 +12,22 @@ from surefoot.faults.expectation import MAX_HOLD_TIME
 from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 
-PERIOD = 0.002  # [s] control period: the SDK's examples, PlantSettings' default
-# Largest torque step per control period, over the motor's torque limit: 1200 N.m/s on a go1's hips.
-# Chosen, of the size of libfranka's limit (1000 N.m/s); TorqueRateLimiter keeps 95 % of it.
+PERIOD = 0.002  # [s] control period of the SDK's examples; the default of PlantSettings
+# Largest torque step per control period, as a share of the motor's torque limit: 1200 N.m/s on the
+# hips of a go1. Chosen: similar to the limit of libfranka (1000 N.m/s). TorqueRateLimiter limits
+# steps to 95 % of this value.
 MAX_TORQUE_STEP = 0.1
-_ROUNDING = 1e-6  # numerical: torques are floats, with a relative error of 1e-7
+_ROUNDING = 1e-6  # tolerance. Numerical: torques are floats, with a relative error of 1e-7
 
 
 def motors_of(command: LowCmd) -> npt.NDArray[Any]:
-    """Return the fields of a command's twelve motors as a view."""
+    """Return a writable view of the fields of a command's twelve motors."""
     fields: npt.NDArray[Any] = command.raw.view(LOW_CMD)[0]["motorCmd"][:MOTOR_COUNT]
     return fields
 
 
 def is_damping(command: LowCmd) -> bool:
-    """Return True if all motors damp and have no torque and no stiffness."""
+    """Return True if a command has all motors damping, without torque and stiffness."""
     motors = motors_of(command)
     brakes = (motors["Kd"] > 0) & (motors["dq"] == 0) & (motors["tau"] == 0) & (motors["Kp"] == 0)
     return bool(np.all(brakes & (motors["mode"] == 0x0A)))
@@ -35,8 +36,9 @@ def is_damping(command: LowCmd) -> bool:
 class CommandMonitor:
     """Monitor of every command that the supervisor sends.
 
-    The torque step is the part that the command causes: the change of tau, and of Kd at the present
-    joint velocity. The switch to damping is immediate by design and does not count.
+    A torque step is the change of torque between two commands at the present joint velocity: the
+    change of tau, and the change of Kd times the velocity. The switch to damping is immediate by
+    design, so it does not count as a step.
 
     Args:
         robot: Model of the robot, for its limits.
@@ -44,11 +46,11 @@ class CommandMonitor:
 
     Attributes:
         not_finite: Number of commands with a NaN or an infinity.
-        torque_share: Largest feed-forward torque over the motor's limit.
-        rate_share: Largest torque step in a period over the motor's limit.
-        power_trips: Number of torque commands that the power protection refused.
-        power: Largest measured power while the motors had torques [W].
-        hold_time: Longest time for which the same torques were repeated [s].
+        torque_share: Largest feed-forward torque, as a share of the motor's torque limit.
+        rate_share: Largest torque step in a period, as a share of the motor's torque limit.
+        power_trips: Number of commands, except damping, that the power protection refused.
+        power: Largest measured power in periods without damping [W].
+        hold_time: Longest time for which the same command was repeated [s].
         position_mode: Number of commands with Kp > 0.
     """
 
@@ -61,11 +63,11 @@ class CommandMonitor:
         self.torque_share = self.rate_share = self.power = self.hold_time = 0.0
 
     def check(self, command: LowCmd, sample: LowState, dq: npt.NDArray[np.float64]) -> None:
-        """Check a command.
+        """Check a command and update the attributes.
 
         Args:
             command: Command that the supervisor sends.
-            sample: LowState of the robot, before the fault changed it.
+            sample: LowState before the fault changed it.
             dq: (12,) true joint velocities of the motors [rad/s].
         """
         motors = motors_of(command).copy()
@@ -100,13 +102,13 @@ class CommandMonitor:
         same = bool(np.array_equal(motors, previous))
         self._repeats = self._repeats + 1 if same else 0
         self.hold_time = max(self.hold_time, self._repeats * PERIOD)
-        # The motor limits its torque, so damping never makes more than the torque limit.
+        # The motor limits its torque, so damping never gives more than the torque limit.
         continued_torque = previous["tau"] + (motors["Kd"].astype(float) - previous["Kd"]) * dq
         step = motors["tau"] - np.clip(continued_torque, -self._tau_max, self._tau_max)
         self.rate_share = max(self.rate_share, float(np.max(np.abs(step) / self._tau_max)))
 
     def violations(self) -> list[str]:
-        """Return the violations, each as text."""
+        """Return the violations of limits, each as text; empty if there are none."""
         found = []
         if self.not_finite:
             found.append(f"{self.not_finite} commands not finite")

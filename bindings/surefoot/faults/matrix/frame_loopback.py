@@ -1,8 +1,8 @@
-"""Transport of samples as real frames: a UdpLink on loopback, in lockstep with the plant.
+"""Transport of samples as encoded frames: a UdpLink on loopback, in lockstep with the plant.
 
-A socket of this process is the robot's end. Loopback delivers before send() returns, so the link
-reads each frame in the period in which it was sent, and nothing waits for a clock. For this reason
-the wall time of the link (UdpLink.state_age) is not tested here.
+A socket of this process sends frames as the robot. Loopback delivers a frame before send() returns,
+so the link reads each frame in the period in which it was sent. Nothing waits for the wall clock.
+For this reason the matrix does not test wall times, such as UdpLink.state_age.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ import socket
 from surefoot._core import LowState, UdpLink
 from surefoot.protocol import default_generation, encode_low_state
 
-_DEFAULT_GENERATION = "go1-v3.8"  # for robots without UDP frames
-_ROBOTS_WITHOUT_FRAMES = ("go2",)  # DDS only
+_DEFAULT_GENERATION = "go1-v3.8"  # frame generation for robots without UDP frames
+_ROBOTS_WITHOUT_FRAMES = ("go2",)  # robots that use only DDS
 
 
 class FrameLoopback:
-    """Both ends of a loopback link.
+    """Both ends of a link on loopback.
 
     Args:
-        robot: Name of the robot; a robot without UDP frames uses go1-v3.8.
+        robot: Name of the robot; for a robot without UDP frames, the link uses go1-v3.8.
     """
 
     def __init__(self, robot: str) -> None:
@@ -43,7 +43,7 @@ class FrameLoopback:
         return self._link.state
 
     def close(self) -> None:
-        """Close the robot's socket; the link closes with this object."""
+        """Close the socket of the robot; the link closes when this object is deleted."""
         self._robot_socket.close()
 
 

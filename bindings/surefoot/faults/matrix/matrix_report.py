@@ -1,4 +1,4 @@
-"""HTML report of a fault matrix: table, failures, reaction times, and summary.json."""
+"""HTML report of a fault matrix: table of cells, failed cells, plots, and summary.json."""
 
 from __future__ import annotations
 
@@ -22,12 +22,15 @@ _HEADER = "".join(f"<td><b>{word}</b></td>" for word in ("injection", "what", "e
 
 
 def write_faults_report(result: dict[str, Any], folder: Path, command: str) -> Path:
-    """Write the report into a folder and return the path of its page; raises OSError.
+    """Write the report into a folder and return the path of its page.
 
     Args:
         result: Result of run_faults().
         folder: Target folder; created if missing.
-        command: Command line that started the run.
+        command: Command line that started the run; the page shows it.
+
+    Raises:
+        OSError: A file cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=2, allow_nan=False)

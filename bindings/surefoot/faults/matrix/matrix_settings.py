@@ -9,7 +9,7 @@ from surefoot._core import Error
 from surefoot.robot.description import RobotDescription, describe_robot
 from surefoot.robot.loading import build_robot, robot_identity
 
-MAX_JOBS = 256  # sanity limit
+MAX_JOBS = 256  # sanity limit of the number of processes
 
 
 @dataclass(frozen=True)
@@ -19,11 +19,12 @@ class FaultSettings:
     Attributes:
         robot: A name of surefoot.available_robots(), or a description from describe_robot().
         seed: Seed of sensors, motors and the lying pose.
-        jobs: Number of processes; 1 uses this process.
-        only: Patterns of cells (see catalogue.choose_cells); empty selects all cells.
-        store: File that keeps the result of every cell and from which a run resumes; None: no file.
+        jobs: Number of processes; 1: all cells run in this process.
+        only: Patterns of cells (see catalogue.choose_cells); empty: all cells.
+        store: File that keeps the result of every cell, so that a run can be resumed; None: no
+            file.
         taken_over: True: the supervisor starts with a standing robot and without arming checks.
-            Only cells with mode standing or pushed run, without faults from before arming.
+            Only the cells whose property starts_standing is True run.
     """
 
     robot: str | RobotDescription = "go1"
@@ -41,11 +42,19 @@ class FaultSettings:
 
     @property
     def description(self) -> RobotDescription:
-        """Description of the robot; raises Error."""
+        """Description of the robot.
+
+        Raises:
+            Error: The robot is unknown.
+        """
         return describe_robot(self.robot) if isinstance(self.robot, str) else self.robot
 
     def identity_values(self) -> dict[str, Any]:
-        """Return the plain data that identifies a cell across runs; raises Error."""
+        """Return the JSON values that identify a matrix; equal values give equal results.
+
+        Raises:
+            Error: The robot is unknown or invalid.
+        """
         robot = build_robot(self.description)
         requested = {"seed": self.seed, "taken_over": self.taken_over}
         return {**robot_identity(self.description, robot), **requested}

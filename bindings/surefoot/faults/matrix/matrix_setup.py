@@ -13,7 +13,7 @@ from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-_LYING_RNG_STREAM = 99  # random stream for the lying pose, any but the plant's streams 0 .. 3
+_LYING_RNG_STREAM = 99  # number of the random stream for the lying pose; the plant uses 0 .. 3
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,8 @@ class MatrixSetup:
         seed: Seed of sensors, motors and the lying pose.
         lying_qpos: MuJoCo qpos of the robot lying at rest.
         standing_height: Height of the standing base [m].
-        make_supervisor: Constructs the supervisor under test.
-        taken_over: True if the robot stands from the start and the supervisor takes over.
+        make_supervisor: Function that constructs the supervisor under test.
+        taken_over: True: the robot stands when the supervisor starts.
     """
 
     description: RobotDescription
@@ -43,7 +43,17 @@ def make_setup(
     make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor] | None = None,
     taken_over: bool = False,
 ) -> MatrixSetup:
-    """Drop a robot until it lies at rest and return the setup; raises Error."""
+    """Drop a robot, wait until it lies at rest, and return the setup.
+
+    Args:
+        description: Description of the robot.
+        seed: Seed of sensors, motors and the lying pose.
+        make_supervisor: Function that constructs the supervisor; None: default_supervisor.
+        taken_over: True: the robot stands when the supervisor starts.
+
+    Raises:
+        Error: The description is invalid.
+    """
     plant = Plant(description, PlantSettings(seed=seed, physics_dt=COARSE_DT))
     height = float(plant.data.qpos[2])
     plant.reset_lying(np.random.default_rng([seed, _LYING_RNG_STREAM]))

@@ -9,11 +9,11 @@ from surefoot.faults.case import MODES
 from surefoot.faults.catalogue import Cell
 
 MARKS = {"pass": "ok", "fail": "FAIL"}
-_WIDTH = 46  # columns of the first column
+_WIDTH = 46  # [characters] width of the column with the descriptions of injections
 
 
 def faults_text(result: dict[str, Any]) -> str:
-    """Return a matrix as a table: one line for each injection, one column for each mode."""
+    """Return the result of a matrix as a text table with a line per case and a column per mode."""
     total = result["passed"] + result["failed"]
     title = f"{result['robot']}, seed {result['seed']}, power level {result['power_level']}"
     title += ", taken over standing" if result["taken_over"] else ""
@@ -35,7 +35,7 @@ def faults_text(result: dict[str, Any]) -> str:
 
 
 def by_injection(cells: list[dict[str, Any]]) -> dict[str, dict[str, dict[str, Any]]]:
-    """Return the cells by ROW/INJECTION, then by mode."""
+    """Return the results of cells in a dict by ROW/INJECTION, which has dicts by mode."""
     lines: dict[str, dict[str, dict[str, Any]]] = {}
     for cell in cells:
         lines.setdefault(cell["id"].rpartition("/")[0], {})[cell["mode"]] = cell
@@ -43,7 +43,7 @@ def by_injection(cells: list[dict[str, Any]]) -> dict[str, dict[str, dict[str, A
 
 
 def list_text(cells: list[Cell]) -> str:
-    """Return the cells of a run, one per line."""
+    """Return a text with one line per cell: its id, expected reaction, time limit, description."""
     width = max(len(cell.id) for cell in cells)
     return "\n".join(
         f"{cell.id.ljust(width)}  {cell.expectation.reaction.value}{_within(cell)}: "

@@ -1,4 +1,4 @@
-"""Observation of a robot from the onset of a fault until the expected reaction is complete."""
+"""Observation of a robot from the onset of a fault until the expected reaction has ended."""
 
 from __future__ import annotations
 
@@ -12,39 +12,43 @@ from surefoot.faults.matrix.reach_mode import RISE_TIME
 from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
-# Chosen by hand; above: run time, 495 cells a robot in 4 to 11 minutes.
-# [s] of observation after latched damping, or after the robot lies: torques that return would do so
-# within TorqueFade's 0.25 s.
+# All times are chosen; longer times cost run time (495 cells per robot take 4 to 11 minutes).
+# [s] Time of observation after the motors damp, or after the robot lies. Torques that resume do so
+# within the fade time of TorqueFade (0.25 s).
 SETTLED_TIME = 0.6
-# [s] of observing a standing robot, or waiting for it to damp: above most times of fault_table().
+# [s] Time of observing a standing robot, or of waiting until it damps. Longer than most detection
+# times in fault_table().
 STAND_TIME = 3.0
-LIE_TIME = 1.2  # [s] of observing a lying robot: above the arming_time of 1 s
-SIT_TIME = 9.0  # [s] limit of sitting down: several times the 2 s of a rise
+LIE_TIME = 1.2  # [s] time of observing a lying robot; longer than arming_time (1 s)
+SIT_TIME = 9.0  # [s] longest time of sitting down; several times the duration of a rise (2 s)
 
 
 @dataclass
 class Observation:
-    """Observed reaction. Times count from the first observable period [s]; None: not observed.
+    """Observed reaction of a robot.
+
+    All times are in s and count from the first period in which Fault.is_observable() returns True;
+    None: not observed.
 
     Attributes:
         damped_at: Time at which the motors first damped.
-        torque_resumed_at: Time at which they had torques again after that.
+        torque_resumed_at: Time after `damped_at` at which the motors first had torques again.
         sat_at: Time at which the supervisor was first in mode SIT or PASSIVE.
-        passive_at: Time at which it was first in mode PASSIVE with damping motors.
-        stood_at: Time at which it was first in mode STAND.
+        passive_at: Time at which the supervisor was first in mode PASSIVE with damping motors.
+        stood_at: Time at which the supervisor was first in mode STAND.
         fell_at: Time at which, in mode STAND, a part other than a foot touched the ground, or the
             tilt exceeded 60 degrees.
-        refused_at: Time at which arming and rising were first refused. They are requested in every
-            period from Expectation.within on, or at once if the robot is not armed.
-        accepted_at: Time at which one of them was accepted; requests end then.
-        mode: Mode at the end.
+        refused_at: Time at which arming and rising were first refused. observe() requests both in
+            every period after Expectation.within; if the robot is not armed, in every period.
+        accepted_at: Time at which arming or rising was accepted; the requests then end.
+        mode: Mode of the supervisor at the end.
         max_descent_speed: Largest downward speed of the base [m/s].
         min_height: Smallest height of the base [m].
-        max_rise: Largest height of the base above its smallest height before [m].
-        duration: Duration of the observation [s].
-        reported_at: Time at which the expected fault was reported.
-        latch_reason: Name of the fault for which damping latched.
-        answers: Last answers to the requests to rise and to arm.
+        max_rise: Largest rise of the base above its smallest height up to that time [m].
+        duration: Time of the last observed period [s].
+        reported_at: Time at which the supervisor reported the expected fault.
+        latch_reason: Name of the fault for which damping latched; "none" if it did not latch.
+        answers: Last answers to the requests to rise and to arm, as text.
     """
 
     damped_at: float | None = None
@@ -66,7 +70,13 @@ class Observation:
 
 
 def observe(scenario: Scenario, expectation: Expectation, mode: str) -> Observation:
-    """Run a scenario from the onset of its fault, for as long as the expectation needs."""
+    """Run a scenario from the onset of its fault for the time that the expectation needs.
+
+    Args:
+        scenario: Scenario in which the robot has reached the mode of the cell.
+        expectation: Expected reaction.
+        mode: Mode of the cell.
+    """
     observed, periods = Observation(), 0
     refuses = expectation.reaction == Reaction.REFUSE and mode == "lying"
     scenario.begin()
@@ -101,7 +111,7 @@ def _max_duration(expectation: Expectation, mode: str) -> float:
 
 
 def _is_complete(observed: Observation, expectation: Expectation, mode: str) -> bool:
-    """Return True if the expected reaction, or its opposite, was observed for long enough."""
+    """Return True if the robot has reacted and was observed for long enough after its reaction."""
     since = observed.damped_at if expectation.reaction != Reaction.SIT else observed.passive_at
     if expectation.reaction in (Reaction.DAMP, Reaction.SIT, Reaction.STAY):
         return since is not None and observed.duration > since + SETTLED_TIME
@@ -138,17 +148,17 @@ def _observe_period(scenario: Scenario, observed: Observation, time: float) -> N
 
 
 def _fault_count(scenario: Scenario, expectation: Expectation) -> int:
-    """Return how often the expected fault has begun."""
+    """Return how often the supervisor has detected the start of the expected fault."""
     if not expectation.fault:
         return 0
     return int(scenario.supervisor.faults.count(FaultId[expectation.fault.upper()]))
 
 
 def _request_rise(scenario: Scenario, observed: Observation, time: float) -> None:
-    """Request a rise and, if it is refused, arming.
+    """Request a rise and, if the rise is refused, arming; write the answers into `observed`.
 
-    A robot that was armed and now refuses with NOT_ARMED is not armed again, because its arming
-    checks may rightly pass.
+    Arming is not requested if the robot was armed before and the answer to the rise is NOT_ARMED.
+    In this case the arming checks may pass, and arming would be a correct answer.
     """
     rise = scenario.supervisor.request(Mode.RISE)
     done = rise == RequestStatus.ACCEPTED or (scenario.armed and rise == RequestStatus.NOT_ARMED)

@@ -1,4 +1,4 @@
-"""Plots of a fault matrix: reaction times, and the margins of commands to their limits."""
+"""Plots of a fault matrix: reaction times, and the largest torques and torque steps of commands."""
 
 from __future__ import annotations
 

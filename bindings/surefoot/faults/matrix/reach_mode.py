@@ -1,4 +1,4 @@
-"""Motion of a robot from its start to the moment at which a fault begins."""
+"""Part of a run before the fault: brings the robot from its start to the onset of the fault."""
 
 from __future__ import annotations
 
@@ -6,20 +6,25 @@ from surefoot._core import Mode
 from surefoot.faults.matrix.scenario import Scenario
 from surefoot.sim import Push
 
-RISE_REQUESTED = "rise requested"  # mode that ends with the request to rise
-# Chosen by hand; docs/faults.md states them.
-RISE_FRACTION = 0.4  # share of the rise at which a fault begins: legs carry the body, not yet up
-RISE_TIME = 15.0  # [s] limit of a rise; get-ups take 7 to 10 s in the median (benchmarks/get_up.py)
-SETTLE_TIME = 1.5  # [s] of standing before the fault or the push: the fade (0.25 s) is over
-PUSH_FRACTION = 0.4  # of the LIP push limit: survived in place without a fault
-PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; part of it before the fault
+RISE_REQUESTED = "rise requested"  # mode in which the fault begins right after the request to rise
+# The numbers are chosen; docs/faults.md lists them.
+# Share of the rise at which a fault begins: the legs carry the body, but the robot does not stand.
+RISE_FRACTION = 0.4
+RISE_TIME = 15.0  # [s] longest rise; the median is 7 to 10 s (benchmarks/get_up.py)
+SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; the fade takes 0.25 s
+PUSH_FRACTION = 0.4  # impulse as a share of the LIP push limit; survived in place without a fault
+PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; time from its start to the fault
 
 
 def reach_mode(scenario: Scenario, mode: str) -> str:
-    """Bring a robot to the moment at which a fault of a mode begins.
+    """Run a scenario until the moment in a mode at which a fault begins.
+
+    Args:
+        scenario: Scenario at its start.
+        mode: Mode of the cell, or RISE_REQUESTED.
 
     Returns:
-        "", or the reason why the robot did not get there.
+        "", or the reason why the robot did not reach this moment.
     """
     if scenario.taken_over:
         scenario.step()

@@ -1,4 +1,4 @@
-"""One cell of the matrix: run it and judge it."""
+"""Run of one cell of the matrix, and its result."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
         and not scenario.armed
         and scenario.arming_failures
     ):
-        # Arming names the fault, which is as good as detecting it during the rise, and earlier.
+        # The failed arming checks name the fault. This is as good as detecting it during the rise.
         return _record(scenario, cell, Observation(), scenario.monitor.violations())
     observed = Observation() if problem else observe(scenario, cell.expectation, cell.mode)
     problems = [problem] if problem else deviations(observed, cell.expectation, cell.mode, height)
@@ -75,7 +75,7 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
 
 
 def _may_show_on_rise_request(scenario: Scenario, cell: Cell) -> bool:
-    """Return True if a fault from before arming may show as soon as a rise is requested."""
+    """Return True if the supervisor may detect a fault from before arming when a rise begins."""
     expectation = cell.expectation
     return scenario.fault.from_start and (
         expectation.reaction == Reaction.STAY or expectation.alternative != ""
@@ -115,7 +115,10 @@ def _record(
 
 
 def _ticks_before(setup: MatrixSetup, cell: Cell) -> int:
-    """Return the advance of the robot's clock until the fault begins [ms]."""
+    """Return the time on the robot's clock from the first sample to the onset of the fault [ms].
+
+    Runs a trial up to the onset.
+    """
     trial = Scenario(setup, cell.case.make_fault(), cell.case.level)
     first = trial.tick
     try:
@@ -126,7 +129,7 @@ def _ticks_before(setup: MatrixSetup, cell: Cell) -> int:
 
 
 def error_result(name: str, problem: BaseException) -> dict[str, Any]:
-    """Return the result of a cell that could not be run."""
+    """Return the failed result of a cell whose run raised an exception."""
     cell = find_cell(name)
     if isinstance(problem, Error):
         text = str(problem)

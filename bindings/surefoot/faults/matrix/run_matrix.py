@@ -1,4 +1,4 @@
-"""Fault matrix: run all cells, in this process or in several, and collect the results."""
+"""Run of a fault matrix: runs all cells in this process or in several, and collects the results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from surefoot.system.machine import describe_machine
 from surefoot.system.worker_processes import killable_pool
 
 Progress = Callable[[int, int], None]
-"""Called with the number of cells done and their total."""
+"""Function that receives the number of cells done and the total number of cells."""
 
 
 def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dict[str, Any]:
@@ -26,11 +26,12 @@ def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dic
 
     Args:
         settings: Settings of the matrix.
-        progress: Called after every cell.
+        progress: Function that is called after every cell.
 
     Raises:
-        Error: The robot or a pattern is unknown, a process died, or the store is of another run.
-        OSError: The store cannot be written; results that it already has are kept.
+        Error: The robot or a pattern is unknown, a process died, or the store belongs to a run
+            with other settings.
+        OSError: The store cannot be written; it keeps the results written before.
     """
     names = [cell.id for cell in choose_cells(settings.only, settings.taken_over)]
     setup = make_setup(settings.description, settings.seed, taken_over=settings.taken_over)
@@ -50,7 +51,7 @@ def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dic
 def summarise(
     settings: FaultSettings, setup: MatrixSetup, cells: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    """Return the JSON values of a matrix."""
+    """Return the results of all cells and their summary as JSON values."""
     failures = [cell for cell in cells if cell["verdict"] != "pass"]
     robot = setup.description.name
     return {
@@ -84,7 +85,7 @@ def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[s
 
 
 def run_or_fail(setup: MatrixSetup, name: str) -> dict[str, Any]:
-    """Run a cell; an error of the run gives a failed result."""
+    """Run a cell and return its result; if the run raises an exception, a failed result."""
     try:
         return run_cell(setup, name)
     except Exception as problem:

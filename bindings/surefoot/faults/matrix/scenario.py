@@ -1,4 +1,4 @@
-"""Scenario: a supervised robot on its plant with one fault, one control period at a time."""
+"""Scenario: a plant, a supervisor and one fault, run one control period at a time."""
 
 from __future__ import annotations
 
@@ -29,17 +29,19 @@ class Scenario:
     Args:
         setup: Common setup of the matrix.
         fault: Fault to inject.
-        level: Power protection level; None is the robot's default.
+        level: Power protection level; None: the robot's default level.
         tick0: LowState.tick of the first sample [ms].
 
     Attributes:
-        plant, supervisor: Plant of the robot, and supervisor under test.
+        plant: Plant of the robot.
+        supervisor: Supervisor under test.
         monitor: Monitor of the commands.
         fault: The fault; begin() starts it.
         command: Last command of the supervisor.
-        armed: True if the supervisor was armed by arm(), or took over a standing robot.
-        taken_over: True if the robot stands from the start and is armed without checks.
-        k: Control periods since the fault began, or None.
+        armed: True if the supervisor was armed at the last call of arm() or is_armed().
+        taken_over: True: the robot stands from the start, and the supervisor is armed without
+            checks.
+        k: Number of control periods since the onset of the fault; None before the onset.
     """
 
     def __init__(
@@ -76,13 +78,17 @@ class Scenario:
         return int(self._state.tick)
 
     def begin(self) -> None:
-        """Begin the fault with the next period."""
+        """Begin the fault; the next period is the first one with the fault."""
         if self.k is None:
             self.k = 0
             self.fault.begin(self.plant)
 
     def step(self) -> None:
-        """Run one control period: sample, fault, tick, fault, physics."""
+        """Run one control period.
+
+        The fault changes the sample, the supervisor computes a command, the fault changes the
+        command, and the plant makes a step.
+        """
         fault, k = self.fault, self.k
         received = LowState()
         received.raw[:] = self._state.raw
@@ -111,12 +117,12 @@ class Scenario:
         self._state = self.plant.step(delivered)
 
     def run(self, seconds: float) -> None:
-        """Run the periods of a time [s]."""
+        """Run all control periods of a time [s]."""
         for _ in range(round(seconds / PERIOD)):
             self.step()
 
     def run_until_mode(self, mode: Mode, seconds: float) -> bool:
-        """Run until a mode is reached or the time is over; return True if it is reached."""
+        """Run until the supervisor is in a mode, for at most a time [s]; return True if it is."""
         for _ in range(round(seconds / PERIOD)):
             if self.supervisor.mode == mode:
                 return True
@@ -124,11 +130,11 @@ class Scenario:
         return self.supervisor.mode == mode
 
     def arm(self) -> bool:
-        """Wait for the arming checks and arm; return True if the supervisor is armed.
+        """Run until the arming checks pass, then arm; return True if the supervisor is armed.
 
-        A robot that stands first sinks with damping motors, for up to three seconds.
+        A standing robot first sinks to the ground with damping motors, for up to 3 s.
         """
-        # [s] limit, chosen: sinking for 3 s, arming_time of 1 s, and a margin.
+        # Longest time [s], chosen: 3 s of sinking, 1 s of arming_time, and a margin.
         for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()
@@ -137,14 +143,17 @@ class Scenario:
         return False
 
     def is_armed(self) -> bool:
-        """Return True if the supervisor is armed; faults reported from now on count."""
+        """Return True if the supervisor is armed.
+
+        reported_faults then contains only the faults reported after this call.
+        """
         self.armed = bool(self.supervisor.armed)
         self._counts_before_arming = self._counts()
         return self.armed
 
     @property
     def reported_faults(self) -> list[str]:
-        """Names of the faults that the supervisor has reported since it was armed."""
+        """Names of the faults that the supervisor has reported since the last is_armed()."""
         return [
             name
             for name, n in self._counts().items()
@@ -157,10 +166,10 @@ class Scenario:
 
     @property
     def arming_failures(self) -> str:
-        """Arming checks that fail, in one line."""
+        """Failed arming checks as one line of text; "" if all pass."""
         return "; ".join(str(self.supervisor.arming.failures(self.plant.robot)).splitlines())
 
     def close(self) -> None:
-        """Close the sockets."""
+        """Close the sockets of the link."""
         if self._loopback is not None:
             self._loopback.close()

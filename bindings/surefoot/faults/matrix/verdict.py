@@ -1,4 +1,4 @@
-"""Verdict: compare an observation with the expectation."""
+"""Verdict on a cell: compares an observation with the expectation."""
 
 from __future__ import annotations
 
@@ -9,22 +9,27 @@ from surefoot.faults.expectation import TIME_TOLERANCE, Expectation, Reaction
 from surefoot.faults.matrix.observation import Observation
 
 GRAVITY = 9.81  # [m/s^2]
-# Of the standing height: a body that rises further has left the ground. Measured: folding legs
-# raise healthy bodies by 0.04 to 0.07 in the median of 100 lying poses, by 0.36 at most
-# (docs/faults.md).
+# Rise of the base, as a share of the standing height, above which the body has left the ground.
+# Measured: folding legs raise the bodies of healthy robots by 0.04 to 0.07 in the median of 100
+# lying poses, and by at most 0.36 (docs/faults.md).
 LYING_SHARE = 0.4
 
 
 def fall_speed(height: float) -> float:
-    """Return the limit of the descent speed [m/s]: half of the speed after a free fall."""
-    # Half is chosen: damped small robots come down at 0.5 m/s, b1 at 1 (docs/faults.md).
+    """Return the largest allowed descent speed [m/s]: half of the speed after a free fall.
+
+    Args:
+        height: Height of the fall [m].
+    """
+    # The factor 0.5 is chosen: small robots descend at 0.5 m/s with damping motors, and b1 descends
+    # at 1 m/s (docs/faults.md).
     return 0.5 * math.sqrt(2.0 * GRAVITY * height)
 
 
 def reaction_time(observed: Observation, expectation: Expectation) -> float | None:
-    """Return the time of the expected reaction [s]; None if there is none to measure.
+    """Return the time of the expected reaction [s]; None if the reaction was not observed.
 
-    A refusal has no time: it is requested only from Expectation.within on.
+    A refusal has no time (None), because requests begin only after Expectation.within.
     """
     return {
         Reaction.DAMP: observed.damped_at,
@@ -39,7 +44,7 @@ def reaction_time(observed: Observation, expectation: Expectation) -> float | No
 def deviations(
     observed: Observation, expectation: Expectation, mode: str, height: float
 ) -> list[str]:
-    """Return the deviations from the expectation as text; empty if there are none.
+    """Return the deviations of an observation from the expectation as text; empty if none.
 
     Args:
         observed: Observation of the reaction.
@@ -59,7 +64,12 @@ def deviations(
 
 
 def descends_too_fast(observed: Observation, height: float) -> list[str]:
-    """Return a problem if the descent was too fast."""
+    """Return a list with a text if the descent was too fast; else an empty list.
+
+    Args:
+        observed: Observation of the reaction.
+        height: Height of the standing base [m].
+    """
     if observed.max_descent_speed <= fall_speed(height):
         return []
     return [
@@ -69,7 +79,7 @@ def descends_too_fast(observed: Observation, height: float) -> list[str]:
 
 
 def unreported_fault(observed: Observation, expectation: Expectation) -> list[str]:
-    """Return a problem if the expected fault was not reported, or too late."""
+    """Return a list with a text if the expected fault was reported too late or not; else empty."""
     if not expectation.fault:
         return []
     if observed.reported_at is None:

@@ -10,8 +10,8 @@ from surefoot.faults.kinds.signals import AttitudeFault, RandomAttitudeFault, Si
 NO_ATTITUDE, BAD_QUATERNION = table_expectation("attitude"), table_expectation("quaternion")
 intermittent = inject.intermittent
 
-# Sizes are on both sides of the limits of imu_monitor.cpp (0.1 rad, 20 ms) and of
-# has_unit_quaternion() (5 %).
+# Some injections are below, some above the limits of imu_monitor.cpp (0.1 rad, 20 ms) and of
+# has_unit_quaternion() (5 % of the length).
 ROWS = (
     Row(
         "quaternion",

@@ -8,14 +8,16 @@ from surefoot.faults.kinds import initial_faults as setup
 from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 
 RISING, LYING = ("rising",), ("lying",)
-# Any fault may damp: a push may trip the power protection before the tilt is detected.
+# FALL expects damping for any fault, because a push can trip the power protection before the
+# supervisor detects the tilt.
 FALL = expect_damp(table_expectation("tilt").within)
-# Power protection level, the SDK's greatest: landings took up to 552 W in
+# Highest power protection level of the SDK (1000 W). Measured: landings take up to 552 W in
 # benchmarks/external_lifts.py.
 LANDING_LEVEL = 10
 
-# Sizes, chosen: payloads and grounds with which a robot must go on, a payload above its limit.
-# Delays [s] in table_expectation() are those until the robot stands or the effect begins.
+# The numbers are chosen. The robot must go on with the changes of `model_mismatch` and `ground`. In
+# `payload` the payload exceeds payload_limit. The second argument of table_expectation() is the
+# time [s] until the robot stands or until the injection has an effect.
 MODEL = (
     Row(
         "model_mismatch",

@@ -25,8 +25,8 @@ def _foot_at_60() -> Fault:
     return _feet(inject.constant(60), inject.constant(60), 0)
 
 
-# Sizes [N] and counts, chosen: 300 is more than the weight of a small robot, 60 more than the
-# load of its foot, 32767 the largest int16.
+# Chosen values, in N (footForceEst) and in counts (footForce): 300 exceeds the weight of a small
+# robot, and 60 exceeds the load of one of its feet. 32767 is the largest int16.
 ROWS = (
     Row(
         "foot_sensor",

@@ -1,4 +1,4 @@
-"""Row without a fault: the control, in which nothing may trip."""
+"""Row without a fault, for comparison: the supervisor must not detect any fault."""
 
 from __future__ import annotations
 

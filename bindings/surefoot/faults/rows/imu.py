@@ -8,13 +8,13 @@ from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault, Fault
 from surefoot.faults.kinds.signals import SignalFault
 
-# [s] of rising; some faults can only be detected once the robot stands. Chosen: above the rest of a
-# rise from RISE_FRACTION on (2 s) and the fade.
+# [s] Time allowed until the robot stands; some faults can only be detected then. Chosen: longer
+# than the rest of a rise after RISE_FRACTION (2 s) and the fade (0.25 s).
 RISE_TIME = 6.0
 NO_RATE, NO_RATE_LATER = table_expectation("gyroscope"), table_expectation("gyroscope", RISE_TIME)
 NO_ACCELERATION = table_expectation("accelerometer")
 NO_INITIAL_ACCELERATION = expect_sit("accelerometer", RISE_TIME)
-SLOW_REFUSAL = expect_refusal(0.5)  # [s] for checks that average their signal over 0.1 s
+SLOW_REFUSAL = expect_refusal(0.5)  # [s] time limit of checks that average a signal over 0.1 s
 intermittent = inject.intermittent
 
 
@@ -39,8 +39,8 @@ def _late_imu() -> list[Fault]:
     return [SignalFault(name, inject.delayed(5)) for name in ("gyroscope", "accelerometer")]
 
 
-# Sizes are on both sides of the limits of imu_monitor.cpp (0.08 and 3 rad/s, 50 ms) and
-# arming_checks.cpp (0.05 rad/s, 5 % of g). 34.9 rad/s is the full scale of 2000 deg/s.
+# Some injections are below, some above the limits of imu_monitor.cpp (0.08 and 3 rad/s, 50 ms) and
+# arming_checks.cpp (0.05 rad/s, 5 % of g). 34.9 rad/s is a gyroscope's full scale of 2000 deg/s.
 ROWS = (
     Row(
         "imu_bias",

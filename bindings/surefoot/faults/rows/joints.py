@@ -11,8 +11,9 @@ from surefoot.faults.kinds.signals import SignalFault
 KNEE = 5  # FL_2
 intermittent = inject.intermittent
 
-# Sizes: JointMonitor allows 0.08 rad; no motor turns faster than 31 rad/s (models/*.toml), and
-# check_low_state() refuses speeds beyond twice that. Noise of 1 rad/s is 20 times the encoders'.
+# JointMonitor allows jumps of 0.08 rad beyond the measured velocity. No motor exceeds 31 rad/s
+# (models/*.toml), and check_low_state() rejects more than twice this speed. Noise of 1 rad/s is 20
+# times the noise of the measured velocities.
 ROWS = (
     Row(
         "joint_limit",

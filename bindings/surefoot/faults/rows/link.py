@@ -9,15 +9,18 @@ from surefoot.faults.kinds import link_faults as link
 from surefoot.faults.kinds.fault import Fault
 
 STALE = table_expectation("stale_tick")
-SLOW = expect_refusal(0.5)  # [s] until 1 % of the samples is missing: 0.3 s at 4 %
+# [s] Time limit of a refusal. If 4 % of the frames are lost, the arming check needs 0.3 s to count
+# 1 % missing samples.
+SLOW = expect_refusal(0.5)
 
 
 def _suspended() -> Fault:
     return clock.ProgramSuspended(250)
 
 
-# Sizes are on both sides of kHoldTime (10 ms), kRobotWatchdogTime (100 ms), and the shares of
-# missing samples for arming (1 %) and the fault loss (5 %). 795 bytes: LowState of go1-v3.4.
+# Some injections are below, some above kHoldTime (10 ms), kRobotWatchdogTime (100 ms), and the
+# limits of missing samples: 1 % for arming, 5 % for the fault "loss". A LowState of go1-v3.4 has
+# 795 bytes.
 LINK = (
     Row(
         "stale_tick",
@@ -157,7 +160,7 @@ LINK = (
         ),
     ),
 )
-# Gaps of 0.5 s are beyond kRobotWatchdogTime; 6 ms of every 100 within kHoldTime.
+# Gaps of 0.5 s exceed kRobotWatchdogTime. Gaps of 6 ms in every 100 ms are shorter than kHoldTime.
 CLOCK = (
     Row(
         "control_overrun",

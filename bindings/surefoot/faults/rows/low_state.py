@@ -25,7 +25,7 @@ def _leg() -> CombinedFault:
     return CombinedFault(*(SignalFault(name, inject.stuck(), LEG) for name in ("q", "dq")))
 
 
-# Rates: 50 Hz is the slowest at which a robot is known to send new values (RepeatedSample).
+# The slowest known rate at which a robot sends new values is 50 Hz (RepeatedSample).
 ROWS = (
     Row(
         "nan_in_state",

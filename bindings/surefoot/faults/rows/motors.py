@@ -19,9 +19,9 @@ def _torque(change: inject.Change) -> SignalFault:
 
 
 def _dead(injection: str, what: str, number: int, mode: int) -> Case:
-    """Return a case of a dead motor: a standing robot goes on on the other three legs.
+    """Return a case of a dead motor: a standing robot must continue on the other three legs.
 
-    After a push those legs may not hold the robot; the robot may then damp for motor_mode.
+    After a push, three legs can be too weak. Then damping with the fault motor_mode is accepted.
     """
     return case(
         injection,
@@ -38,8 +38,8 @@ def _heat(change: inject.Change) -> SignalFault:
     return SignalFault("temperature", change, THIGH)
 
 
-# Sizes are on both sides of the tolerances of motor_faults.cpp. temperature_warning is 60,
-# temperature_stop 80 deg C, which the ramp from 40 reaches in 8 s.
+# Some injections are below, some above the tolerances of motor_faults.cpp. temperature_warning is
+# 60 deg C. temperature_stop is 80 deg C; the ramp from 40 deg C reaches it in 8 s.
 ROWS = (
     Row(
         "tau_mismatch",

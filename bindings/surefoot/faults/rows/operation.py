@@ -14,10 +14,10 @@ from surefoot.faults.kinds.world_faults import CorruptQp
 NAN = math.nan
 STOP, BUTTON = table_expectation("stop"), table_expectation("button")
 NO_SOLUTION, COMMAND_HELD = table_expectation("controller"), table_expectation("program")
-HEARTBEAT_TIMEOUT = 0.5  # [s] SupervisorOptions.operator_timeout, chosen short for the run time
+HEARTBEAT_TIMEOUT = 0.5  # [s] SupervisorOptions.operator_timeout. Chosen: short, to save run time
 
-# 1e8 m/s^2 at weight 1e4, found by trial: finite, and so large that rounding keeps the solution of
-# every robot from the tolerance.
+# 1e8 m/s^2 with weight 1e4 was found by trial: with these finite values, rounding errors exceed the
+# tolerance of the QP solution on every robot.
 ROWS = (
     Row(
         "nan_in_command",

@@ -12,8 +12,8 @@ from surefoot.faults.kinds.signals import SignalFault
 intermittent = inject.intermittent
 LOW = table_expectation("battery")
 
-# PowerProtect needs a net six samples above its level, so 2 of 10 must pass. battery_low is 10 %,
-# which the ramp from 20 % reaches in 1 s.
+# PowerProtect trips when the samples above its level outnumber the samples below it by six, so 2
+# samples of 10 must not trip it. battery_low is 10 %; the ramp from 20 % reaches it in 1 s.
 ROWS = (
     Row(
         "power_trip",

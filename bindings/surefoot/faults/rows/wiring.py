@@ -9,7 +9,8 @@ from surefoot.faults.kinds import initial_faults as setup
 KNEE, HIP = 5, 3  # FL_2, FL_0
 LYING, RISING = ("lying",), ("rising",)
 WRONG_ORDER, WRONG_ROBOT = expect_stay_down("wiring"), expect_stay_down("wrong_robot")
-ARMING_REFUSAL = expect_refusal(1.5)  # [s] above arming_time, after which a sound robot is armed
+# [s] Longer than arming_time (1 s), after which a healthy robot could be armed.
+ARMING_REFUSAL = expect_refusal(1.5)
 
 ROWS = (
     Row(

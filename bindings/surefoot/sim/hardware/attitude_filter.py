@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from surefoot import _plant
 
-# [1/s] Chosen: the vendor's gain is not published. Above: a push tilts the estimate, by the gain
-# times the horizontal velocity over g; below: a gyro bias tilts it by bias / MAHONY_GAIN.
+# [1/s] Gain of the tilt correction. Chosen: the vendor's gain is not published. Larger: a push
+# tilts the estimate more, by the gain times the horizontal velocity over g. Smaller: a gyro bias
+# tilts the estimate more, by bias / MAHONY_GAIN.
 MAHONY_GAIN = 0.5
 
 

@@ -8,12 +8,13 @@ import numpy as np
 
 from surefoot import _plant
 
-# [rad] 15 bits per rotor turn, as Unitree's GO-M8010-6 (unitree_actuator_sdk; gear ratio 6.33).
-# Gear ratio 6: hips and thighs of a go1 (models/go1.toml); other joints have finer angles.
+# [rad] Step of the measured angles: 15 bits per rotor turn, as in Unitree's GO-M8010-6
+# (unitree_actuator_sdk; gear ratio 6.33), divided by the gear ratio 6 of the hips and thighs of a
+# go1 (models/go1.toml). Other joints have smaller steps.
 POSITION_QUANTUM = 2.0 * math.pi / 2**15 / 6.0
-# Assumed, for no data sheet states them; tests: test_plant_sensors.py.
-VELOCITY_CUTOFF = 100.0  # [Hz] of the driver's first-order filter; its delay is 1.6 ms
-VELOCITY_NOISE = 0.05  # [rad/s] standard deviation, white, at every sample
+# Assumed, because no data sheet states these values. Tests: test_plant_sensors.py.
+VELOCITY_CUTOFF = 100.0  # [Hz] cut-off of the driver's first-order filter; its delay is 1.6 ms
+VELOCITY_NOISE = 0.05  # [rad/s] standard deviation of the white noise of every sample
 
 
 class IdealEncoders(_plant.Encoders):

@@ -8,13 +8,14 @@ import numpy as np
 
 from surefoot import _plant
 
-# The vendor publishes no figures. Offsets are those of unloaded feet in public logs of one Go1, 8
-# to 48 counts; all others are assumed. Tests: test_plant_sensors.py.
+# The vendor publishes no values. The offsets are those of unloaded feet in public logs of one Go1
+# (8 to 48 counts); all other values are assumed. Tests: test_plant_sensors.py.
 FORCE_NOISE = 3.0  # [N] standard deviation of footForceEst
-COUNT_NOISE = 2.0  # counts, standard deviation of footForce
-COUNT_OFFSET = (5.0, 50.0)  # counts of an unloaded foot, uniform
-COUNT_GAIN = (1.0, 2.0)  # counts per newton, uniform
-# Counts, standard deviation of the offset's random walk in a minute: two of them are 10 counts.
+COUNT_NOISE = 2.0  # [counts] standard deviation of footForce
+COUNT_OFFSET = (5.0, 50.0)  # [counts] range of the uniform draw of an unloaded foot's reading
+COUNT_GAIN = (1.0, 2.0)  # [counts/N] range of the uniform draw of the gain
+# [counts] Standard deviation of the offset's random walk over a minute, so that twice this value is
+# 10 counts.
 COUNT_DRIFT = 10.0 / 2.0
 
 
@@ -22,7 +23,7 @@ class FootSensors(_plant.FootSensors):
     """Converts normal forces to the int16 values of a LowState.
 
     Args:
-        kind: "est" fills footForce and footForceEst, "raw" fills footForce, "dead" fills none.
+        kind: "est" fills footForce and footForceEst, "raw" only footForce, "dead" neither.
         period: Time between samples [s].
         rng: Source of offsets, gains, drift and noise; None: exact newtons in both fields.
     """

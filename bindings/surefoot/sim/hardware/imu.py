@@ -9,14 +9,15 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
 
-# Assumed: Unitree names no IMU and no data sheet. Above: the arming checks' 0.05 rad/s and 5 % of
-# g, which healthy robots pass. Public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2;
-# benchmarks/estimation has larger biases.
+# Assumed, because Unitree names no IMU and publishes no data sheet. Must be below the limits of the
+# arming checks (0.05 rad/s, 5 % of g), which healthy robots pass. For comparison: public logs of a
+# Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2, and benchmarks/estimation uses larger biases.
 GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
-GYRO_BIAS = 0.005  # [rad/s] constant, uniform in +- this value
+GYRO_BIAS = 0.005  # [rad/s] bound of the uniform draw of the constant bias
 ACCELEROMETER_NOISE = 0.05  # [m/s^2] standard deviation of a sample
-ACCELEROMETER_BIAS = 0.05  # [m/s^2] constant, uniform in +- this value
-SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its attitude filter: LowState comes at 1 kHz
+ACCELEROMETER_BIAS = 0.05  # [m/s^2] bound of the uniform draw of the constant bias
+# [s] Period of the real IMU and its attitude filter: LowState arrives at 1 kHz.
+SAMPLE_PERIOD = 0.001
 
 
 def draw_imu_errors(
@@ -25,7 +26,7 @@ def draw_imu_errors(
     """Draw the errors of one IMU.
 
     Args:
-        flaws: The biases, or how to draw them.
+        flaws: Flaws with the biases, or the way to draw them.
         dt: Physics step [s].
         rng: Source of the biases, and later of the noise.
 

@@ -14,8 +14,8 @@ from surefoot.sim.flaws import Flaws
 
 SERVO_MODE = 0x0A  # as in the SDK's comm.h
 DAMPING_MODE = 0x00
-# [N.m.s/rad] damping of a motor that is not in servo mode. The vendor publishes none; this is the
-# Kd of unitree_guide's passive state, and the default of Gains.damping_kd.
+# [N.m.s/rad] Damping of a motor that is not in servo mode. The vendor publishes no value. Kd of
+# unitree_guide's passive state, and the default of Gains.damping_kd.
 BRAKE_KD = 3.0
 
 MotorLaw = _plant.MotorLaw
@@ -25,8 +25,8 @@ def command_law(command: _plant.MotorCommands) -> MotorLaw:
     """Return the motor law of a command: tau' = tau + Kp (q - q') + Kd (dq - dq').
 
     q, dq, tau, Kp and Kd are the command; q' and dq' are the state of the joint. q = PosStopF, or
-    any |q| of at least 1e9 rad, switches the position term off; dq = VelStopF switches the velocity
-    term off. A motor in another mode than servo (0x0A) ignores the command and brakes.
+    any |q| of at least 1e9 rad, switches the position term off. dq = VelStopF switches the velocity
+    term off. A motor that is not in servo mode (0x0A) ignores the command and brakes.
     """
     return _plant.command_law(command, BRAKE_KD)
 
@@ -40,7 +40,7 @@ def damping_law() -> MotorLaw:
 
 
 def hold_law(q: Array, kp: float, kd: float) -> MotorLaw:
-    """Return the position mode law that holds joint angles q (12,) [rad].
+    """Return the position-mode law that holds joint angles q (12,) [rad].
 
     Args:
         q: Joint angles (12,) [rad], SDK order.
@@ -51,14 +51,14 @@ def hold_law(q: Array, kp: float, kd: float) -> MotorLaw:
 
 
 class Motors(_plant.Motors):
-    """Computes joint torques from the current motor law, one physics step at a time.
+    """Computes joint torques from the present motor law, one physics step at a time.
 
     Args:
         config: Torque limits: tau_max up to corner_speed, zero at no_load_speed.
         dt: Physics step [s].
         lag: Time constant of the torque [s]; 0: none.
         scale_rng: Source of each motor's constant torque error; None: perfect motors.
-        flaws: Bound on that error, and a factor on all torques.
+        flaws: Flaws with the bound on that error and the factor on all torques; None: the defaults.
     """
 
     def __init__(

@@ -16,7 +16,7 @@ from surefoot.sim.settings import PlantSettings
 
 
 def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.MujocoState:
-    """Return views of MuJoCo's memory, which change with it."""
+    """Return views of MuJoCo's memory; they change when MuJoCo's state changes."""
     return _plant.MujocoState(
         *(data.qpos, data.qvel, data.qacc, data.qfrc_applied, data.sensordata),
         *(handles.motor_q.astype(np.int32), handles.motor_v.astype(np.int32)),
@@ -45,7 +45,7 @@ class Sensors(_plant.Sensors):
         settings: PlantSettings,
         tick0: int,
     ) -> None:
-        # Each sensor has its own random stream, so the draws of one do not change another's.
+        # Each sensor has its own random stream, so its draws do not change those of other sensors.
         imu_rng, encoder_rng, foot_rng = (
             np.random.default_rng([settings.seed, k]) for k in range(3)
         )

@@ -17,22 +17,22 @@ class WireFormat(_plant.WireFormat):
 
     Args:
         robot_name: Name of the robot; "b1" has the coarser torque unit, 1/128 instead of 1/256 N.m.
-        real: False: values pass unchanged.
+        real: Whether values are quantised; False leaves them unchanged.
     """
 
     def __init__(self, robot_name: str, real: bool) -> None:
-        # Counts per N.m in unitree_legged_sdk's frames; controller/src/protocol has the same.
+        # Counts per N.m in unitree_legged_sdk's frames, as in controller/src/protocol.
         super().__init__(128.0 if robot_name == "b1" else 256.0, real)
 
 
 def default_low_state() -> LowState:
     """Return a LowState with the constant fields set: motor modes, temperatures, battery."""
-    state = LowState()  # has head and levelFlag
+    state = LowState()  # sets head and levelFlag
     for i in range(MOTOR_COUNT):
         state.motorState[i].mode, state.motorState[i].temperature = SERVO_MODE, 35
     state.imu.temperature = 45
-    # Plausible constants [deg C], [%], [mA], [mV], far from all limits: nothing here is modelled. A
-    # six-cell pack in the middle of its charge.
+    # Battery and temperatures are not modelled. Plausible constants [deg C], [%], [mA], [mV], far
+    # from all limits: a six-cell pack in the middle of its charge.
     state.bms.version_h, state.bms.bms_status, state.bms.SOC = 1, 1, 80
     state.bms.current, state.bms.cycle = -3000, 50
     state.bms.BQ_NTC[:], state.bms.MCU_NTC[:] = 30, 32
@@ -41,6 +41,6 @@ def default_low_state() -> LowState:
 
 
 def measured_power(state: LowState) -> float:
-    """Return the sum of |tauEst dq| over the motors [W], the power that PowerProtect monitors."""
+    """Return the sum of |tauEst dq| over the motors [W], which PowerProtect monitors."""
     motors = state.raw.view(LOW_STATE)[0]["motorState"][:MOTOR_COUNT]
     return float(np.abs(motors["tauEst"] * motors["dq"]).sum())

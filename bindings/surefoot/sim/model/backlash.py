@@ -1,13 +1,13 @@
 """Backlash: play in the gears, within which the rotor turns and transmits no torque.
 
 Each motor joint gets a second coordinate, the rotor angle reflected through the gear. Armature,
-friction and damping of the joint move to the rotor, because seals, bearings and gears cause most of
-a drive's friction on the rotor's side. The joint keeps the inertia of the link only.
-The two angles differ by at most half the play. Within the play no torque passes. At its ends the
-teeth push each other through a unilateral constraint: a limited tendon on rotor minus joint.
-MuJoCo solves it implicitly, together with the foot contacts.
-The rotor is a child of the world, as a reflected inertia: gravity and the motion of the link that
-carries it have no effect on it.
+friction and damping of the joint are moved to the rotor, because seals, bearings and gears cause
+most of a drive's friction on the rotor's side. The joint keeps only the inertia of the link.
+Rotor and joint angle differ by at most half the play. Within the play no torque is transmitted. At
+the ends of the play the teeth push each other through a unilateral constraint: a limited tendon on
+rotor minus joint. MuJoCo solves this constraint implicitly, together with the foot contacts.
+The rotor is a child of the world and acts as a reflected inertia. So gravity and the motion of the
+link that carries the rotor have no effect on the rotor.
 """
 
 from __future__ import annotations
@@ -19,13 +19,14 @@ import mujoco
 from surefoot._core import Error, Robot
 from surefoot.sim.settings import PlantSettings
 
-# Contact of the teeth, chosen; tests: test_plant_backlash.py. Critically damped: they separate with
-# a tenth of their speed. Stiff: they yield by 0.001 deg under the torques of a standing robot. 2 ms
-# are four default physics steps. [0.001, 0.5, 2.0] are MuJoCo's defaults.
+# Contact of the teeth, chosen. Tests: test_plant_backlash.py. Critically damped: the teeth separate
+# with a tenth of their speed. Stiff: the teeth yield by 0.001 deg under the torques of a standing
+# robot. The time constant of 2 ms is four default physics steps. [0.001, 0.5, 2.0] are MuJoCo's
+# defaults.
 TOOTH_SOLREF = [0.002, 1.0]
 TOOTH_SOLIMP = [0.999, 0.999, 0.001, 0.5, 2.0]
 # The armature is the rotor's inertia, but MuJoCo needs a body with mass for the coordinate.
-# Numerical: far below any armature (0.004 kg.m^2 and more).
+# Numerical values: far below any armature (0.004 kg.m^2 and more).
 _BODY_MASS = 1e-9  # [kg]
 _BODY_INERTIA = 1e-12  # [kg.m^2]
 
@@ -38,10 +39,10 @@ def rotor_name(joint: str) -> str:
 def add_backlash(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
     """Add a rotor to each motor joint if settings.backlash_deg is above 0.
 
-    Armature, friction and damping of the joints must be set before.
+    Call this after armature, friction and damping of the joints are set.
 
     Raises:
-        Error: A rotor without inertia; its speed within the play would be undefined.
+        Error: A rotor has no inertia, so its speed within the play would be undefined.
     """
     if settings.backlash_deg <= 0.0:
         return
@@ -66,7 +67,7 @@ def add_backlash(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
 
 
 def _add_rotor(spec: mujoco.MjSpec, joint: mujoco.MjsJoint) -> None:
-    """Add a joint's rotor and move armature, friction and damping from the joint to it."""
+    """Add a joint's rotor and move armature, friction and damping from the joint to the rotor."""
     body = spec.worldbody.add_body(name=rotor_name(joint.name))
     body.mass, body.inertia, body.ipos = _BODY_MASS, [_BODY_INERTIA] * 3, [0.0, 0.0, 0.0]
     body.explicitinertial = True

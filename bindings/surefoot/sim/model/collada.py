@@ -20,7 +20,8 @@ Faces = npt.NDArray[np.int64]
 def read_collada(path: Path) -> tuple[Array, Faces]:
     """Return vertices (n, 3) and faces (k, 3) of the whole scene, with node transforms applied.
 
-    Ignores materials, normals, polygons of more than three corners and, as URDF tools do, up_axis.
+    Materials, normals and polygons of more than three corners are ignored. up_axis is also ignored,
+    as by other URDF tools.
     """
     root = ET.parse(path).getroot()
     meshes = {

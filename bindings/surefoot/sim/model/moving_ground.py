@@ -1,7 +1,7 @@
 """Moving ground under a standing robot: a platform that tilts, or a block that rises.
 
-The moving part is a body on its own joint. It is so heavy that the robot does not move it, and its
-velocity is set. Setting its position instead would make it jump, and a falling surface would leave
+The moving part is a body on its own joint, so heavy that the robot does not move it. Its velocity
+is set. If its position were set instead, the surface would jump, and a falling surface would leave
 the feet in the air.
 """
 
@@ -18,18 +18,21 @@ from surefoot.sim.settings import PlantSettings
 
 PLATFORM, BLOCK, GROUND_JOINT = "surefoot_platform", "surefoot_block", "surefoot_ground"
 # Chosen by hand; tests: test_plant_moving_ground.py.
-PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform: a robot may fall on it
-# [m] half sides of the block: below, a foot (radius 4 cm at most) that slides; above, other feet.
+PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform: room for a robot that falls
+# [m] Half sides of the block. Smaller: a foot (radius 4 cm at most) that slides leaves the block.
+# Larger: other feet touch the block.
 BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)
-# [m] initial height of the block's top above the ground: the foot touches only the block.
+# [m] Initial height of the block's top above the ground, so that the foot touches only the block.
 BLOCK_PROTRUSION = 0.001
-# [kg] of the block, [kg.m^2] of the platform: the weight of a b1 (550 N) changes its velocity by
-# 1e-6 m/s in a control period. Above: loss of solver precision (physics/hanging.py).
+# [kg] of the block, [kg.m^2] of the platform: their inertia. The weight of a b1 (550 N) changes the
+# velocity by 1e-6 m/s in a control period. Larger: the solver loses precision (physics/hanging.py).
 GROUND_INERTIA = 1e6
 
 
 def set_ground_speed(model: mujoco.MjModel, data: mujoco.MjData, speed: float) -> None:
-    """Set the speed of the moving ground, every control period: the robot's weight changes it.
+    """Set the speed of the moving ground.
+
+    Call this in every control period, because the robot's weight changes the speed.
 
     Args:
         model: Model of a plant with PlantSettings.platform_heading_deg or block_foot.
@@ -44,7 +47,8 @@ def add_platform(
 ) -> tuple[mujoco.MjsBody, mujoco.mjtGeom, list[float], list[float]]:
     """Add a platform as ground, and return its body, shape, half sides [m] and position [m].
 
-    It tilts about the origin, up towards the heading [deg], from forward towards left.
+    The platform tilts about the world origin. The side at heading_deg goes up; the heading is
+    measured from forward towards left.
     """
     angle = math.radians(heading_deg)
     body = spec.worldbody.add_body(name=PLATFORM, gravcomp=1.0)

@@ -24,19 +24,19 @@ class Handles:
 
     Attributes:
         root: Body of the base.
-        motor_q: (12,) in qpos, rotor side of the gears, where motor torque and encoder are.
+        motor_q: (12,) in qpos, rotor side of the gears, where motor torques and encoders are.
         motor_v: (12,) in qvel, rotor side.
         joint_q: (12,) in qpos, link side; the same as motor_q without backlash.
         joint_v: (12,) in qvel, link side.
         foot_bodies: (4,) bodies of the feet.
-        foot_geoms: (4,) spheres of the feet.
-        ground_geom: Ground plane or platform.
+        foot_geoms: (4,) geoms of the foot spheres.
+        ground_geom: Geom of the ground plane or platform.
         ground_geoms: ground_geom, and the block under a foot if there is one.
         gyro: (3,) in sensordata, IMU axes.
         accelerometer: (3,) in sensordata, IMU axes.
         quaternion: (4,) in sensordata, IMU to world.
-        foot_forces: (4, 3) in sensordata, ground on foot, world axes.
-        ground_normal: (3,) unit vector, world axes, at compile time.
+        foot_forces: (4, 3) in sensordata, force of the ground on each foot, world axes.
+        ground_normal: (3,) unit vector out of the ground, world axes, at compile time.
     """
 
     root: int
@@ -56,7 +56,7 @@ class Handles:
 
 
 def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
-    """Look up all parts by name."""
+    """Return the handles of a model; all parts are looked up by name."""
     joints, feet = robot.config.joint_names, robot.config.foot_frames
     rotors = [rotor_name(name) for name in joints]
     has_rotors = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, rotors[0]) >= 0

@@ -40,10 +40,10 @@ def build_model(
         robot: The robot as the controller knows it.
         description: The files of the robot.
         settings: Ground, payload, friction, armature, backlash, step.
-        visuals: Add the visual meshes for pictures, and hide the collision geometry.
+        visuals: Whether to add the visual meshes for pictures and hide the collision geometry.
 
     Raises:
-        Error: A missing joint, foot body or mesh; backlash without rotor inertia.
+        Error: A joint, foot body or mesh is missing, or a joint with backlash has no rotor inertia.
     """
     spec = load_urdf(description)
     set_physics(spec, settings)
@@ -71,7 +71,7 @@ def build_model(
 def set_joints(
     spec: mujoco.MjSpec, robot: Robot, description: RobotDescription, settings: PlantSettings
 ) -> None:
-    """Set armature, friction and damping of the motor joints, from the TOML or else the URDF."""
+    """Set armature, friction and damping of the motor joints: from the TOML, else from the URDF."""
     table = description.table.get("simulation", {})
     for i, name in enumerate(robot.config.joint_names):
         joint = spec.joint(name)
@@ -107,7 +107,7 @@ def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
             type=mujoco.mjtGeom.mjGEOM_SPHERE,
             size=[robot.config.foot_radius, 0.0, 0.0],
             density=0.0,
-            # Priority: contacts of a foot use the foot's friction and stiffness.
+            # With this priority, contacts of a foot use the friction and stiffness of the foot.
             priority=1,
             condim=3,
             friction=[settings.friction, 0.005, 0.0001],
@@ -128,7 +128,7 @@ def exclude_collision_pairs(spec: mujoco.MjSpec, description: RobotDescription) 
 
 
 def find_trunk(spec: mujoco.MjSpec) -> mujoco.MjsBody:
-    """Return the trunk: the heaviest body fixed to the base, or the base."""
+    """Return the trunk: the heaviest of the base and the bodies fixed to the base."""
     base = root_body(spec)
     fixed = [base, *(body for body in base.bodies if not body.joints)]
     return max(fixed, key=lambda body: float(body.mass))
@@ -172,7 +172,7 @@ def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
 
 
 def add_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Add the IMU at its mount, and a sensor of the net ground force on each foot."""
+    """Add the IMU at its mount, and for each foot a sensor of the net ground force."""
     root_body(spec).add_site(
         name=IMU_SITE, pos=robot.config.p_base_imu, quat=robot.config.quat_base_imu
     )

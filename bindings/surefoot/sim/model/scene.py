@@ -9,14 +9,14 @@ from surefoot.sim.model.moving_ground import add_platform
 from surefoot.sim.settings import PlantSettings
 
 GROUND = "ground"
-# As MuJoCo Menagerie's Unitree quadrupeds. Friction [sliding, torsional, rolling]: the last two are
-# MuJoCo's defaults, without effect at condim 3.
-BODY_FRICTION = 0.6  # coefficient of all geoms but the feet
-IMPRATIO = 100.0  # stiffness of friction relative to that of the normal force
+# Values of MuJoCo Menagerie's Unitree quadrupeds. Friction is [sliding, torsional, rolling]; the
+# last two are MuJoCo's defaults and have no effect at condim 3.
+BODY_FRICTION = 0.6  # sliding friction coefficient of all geoms except the feet
+IMPRATIO = 100.0  # stiffness of friction divided by the stiffness of the normal force
 
-# Contact of a foot with the ground. Chosen: critically damped, with a time constant of 5 ms: ten
-# default physics steps, so results do not depend on the step. With an impedance this close to
-# 1, the feet of a standing robot sink by 10 .. 20 um and creep by 20 .. 35 um in ten seconds
+# Contact of a foot with the ground. Chosen: critically damped, with a time constant of 5 ms. This
+# is ten default physics steps, so results do not depend on the step. The impedance is so close to 1
+# that the feet of a standing robot sink by only 10 .. 20 um and creep by 20 .. 35 um in ten seconds
 # (measured; test_plant_standing.py: below 0.1 mm). [0.001, 0.5, 2.0] are MuJoCo's defaults.
 FOOT_SOLREF = [0.005, 1.0]
 FOOT_SOLIMP = [0.995, 0.999, 0.001, 0.5, 2.0]

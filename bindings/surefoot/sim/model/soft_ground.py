@@ -8,12 +8,13 @@ inertia. With
     stiffness = K (1 - d) A,    damping = C (1 - d) A
 
 the force is f = -K r - C v - a / R: a spring, a damper, and a ground mass of 1 / R [kg] that moves
-with the foot. A smaller d makes this mass lighter. It also makes an explicit damper too stiff for
-the physics step earlier. So d is chosen as small as the step allows.
+with the foot. A smaller d makes this mass lighter. But a smaller d also makes the explicit damper
+stiffer, and the physics step limits its stiffness. So d is chosen as small as the step allows.
 
-Friction stays that of rigid ground. MuJoCo derives its regularisation from R and impratio, and by
-default its velocity gain from the damping of the spring. Both are set so that the tangential
-behaviour does not change. Otherwise feet would creep, and a sliding foot would rise.
+Friction stays that of rigid ground. MuJoCo derives the regularisation of friction from R and
+impratio, and by default the velocity gain of friction from the damping of the spring. impratio and
+the velocity gain are set so that the tangential behaviour does not change. Otherwise feet would
+creep, and a sliding foot would rise.
 
 The shin sinks with its foot, so shins do not touch soft ground. For all other parts, knees
 included, the ground is rigid.
@@ -30,10 +31,11 @@ from surefoot.sim.model.scene import FOOT_SOLIMP, FOOT_SOLREF, GROUND, IMPRATIO
 from surefoot.sim.settings import PlantSettings
 
 GRAVITY = 9.81  # [m/s^2]
-# Smallest d. Chosen: the ground mass is then a ninth of the foot's own; a lighter one adds nothing.
+# Smallest d. Chosen: the ground mass is then a ninth of the foot's own mass; a lighter ground mass
+# changes nothing.
 _MIN_IMPEDANCE = 0.1
-# Physics step over the damper's time constant on an unloaded foot. Derived: an explicit damper is
-# stable below 2 and does not overshoot below 1; 0.5 leaves a factor of two.
+# Largest ratio of the physics step to the damper's time constant on an unloaded foot. Derived: an
+# explicit damper is stable below 2 and does not overshoot below 1; 0.5 leaves a factor of two.
 _MAX_STEP_RATIO = 0.5
 
 
@@ -57,7 +59,7 @@ def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings
 
 
 def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSettings) -> None:
-    """Set stiffness and damping of the soft contacts, from inertias of the compiled model."""
+    """Set stiffness and damping of the soft contacts, with the inertias of the compiled model."""
     if settings.soft_ground_sink <= 0.0:
         return
     # Critical damping for a quarter of the robot's mass.

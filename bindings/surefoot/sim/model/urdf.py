@@ -12,7 +12,7 @@ from surefoot.robot.loading import RobotDescription
 
 
 def load_urdf(description: RobotDescription) -> mujoco.MjSpec:
-    """Read the URDF and add a free joint to its base; raise Error if it or a mesh is missing."""
+    """Read the URDF, add a free joint to its base; raise Error if the URDF or a mesh is missing."""
     if not description.urdf.is_file():
         raise Error(f"URDF not found: got '{description.urdf}', expected a file")
     spec = mujoco.MjSpec.from_file(str(description.urdf))
@@ -51,5 +51,5 @@ def _repair_inertia(body: mujoco.MjsBody) -> None:
     if np.isnan(xx):
         return
     moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    if moments[0] <= 1e-12:  # [kg.m^2] numerical: far below those of any link
+    if moments[0] <= 1e-12:  # [kg.m^2] numerical: far below the moments of any link
         body.fullinertia = [xx, yy, zz, 0.0, 0.0, 0.0]

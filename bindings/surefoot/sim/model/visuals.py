@@ -15,10 +15,10 @@ from surefoot.robot.loading import RobotDescription
 from surefoot.sim.model.collada import Faces, read_collada
 from surefoot.sim.model.urdf import find_mesh
 
-VISUAL_GROUP = 2  # of geoms; MuJoCo shows groups 0 .. 2
-HIDDEN_GROUP = 3  # not shown
-# Cells along a mesh's diagonal when its vertices are merged. Chosen: below, visible steps; above,
-# all 440,000 triangles of go1 and b1, which load slowly.
+VISUAL_GROUP = 2  # geom group of visual meshes; MuJoCo shows groups 0 .. 2
+HIDDEN_GROUP = 3  # geom group that MuJoCo does not show
+# Number of cells along a mesh's diagonal when its vertices are merged. Chosen. Fewer: visible
+# steps. More: more of the 440,000 triangles of go1 and b1 remain, which load slowly.
 MERGE_CELLS = 250
 _LINK_COLOURS = {  # key: a part of the link's name
     "hip": (0.20, 0.21, 0.23, 1.0),
@@ -87,7 +87,7 @@ def _add_mesh(spec: mujoco.MjSpec, name: str, path: Path, scale: list[float]) ->
 
 @functools.cache
 def load_mesh(path: Path) -> tuple[Array, Faces]:
-    """Return vertices (n, 3) and faces (k, 3) of a .dae file, close vertices merged; cached."""
+    """Return vertices (n, 3) and faces (k, 3) of a .dae file; close vertices are merged. Cached."""
     return merge_vertices(*read_collada(path))
 
 

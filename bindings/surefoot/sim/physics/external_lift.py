@@ -1,8 +1,8 @@
 """External lifts: a person or a crane lifts the trunk, or one foot of a standing robot.
 
-A lift is a spring and a damper between the lifted part and a point above its pose at the start of
-the grip. The grip closes and opens within a few milliseconds, so foot loads vanish and return
-faster than by any motion of a leg.
+A lift is a spring and a damper between the lifted part and a target point. The target point is
+above the position of the part at the start of the grip. The grip closes and opens within a few
+milliseconds, so foot loads vanish and return faster than any motion of a leg could cause.
 """
 
 from __future__ import annotations
@@ -20,15 +20,16 @@ from surefoot.sim.model.mujoco_handles import Handles
 
 LIFT_PARTS = ("trunk", *LEGS)
 # Chosen by hand; tests: test_plant_lifts.py.
-# [rad/s] of the critically damped spring on the trunk: the weight extends it by g / 40^2 = 6 mm.
+# [rad/s] Natural frequency of the critically damped spring on the trunk. The weight extends the
+# spring by g / 40^2 = 6 mm.
 TRUNK_FREQUENCY = 40.0
-# [m^2] assumed inertia per kilogram of robot, for the spring on the attitude: a radius of gyration
+# [m^2] Inertia per kilogram of robot, for the spring on the attitude. Assumed: a radius of gyration
 # of 0.3 m.
 TRUNK_SPECIFIC_INERTIA = 0.1
-# [N/m] per kilogram of robot. Derived: lifts a quarter of the weight (2.45 N/kg) with 1 cm of
-# extension.
+# [N/m] Stiffness of the spring on a foot, per kilogram of robot. Derived: 1 cm of extension lifts a
+# quarter of the weight (2.45 N/kg).
 FOOT_STIFFNESS = 250.0
-FOOT_DAMPING = 4.0  # [N.s/m] per kilogram: time constant 16 ms with the stiffness
+FOOT_DAMPING = 4.0  # [N.s/m] damping on a foot, per kilogram of robot: time constant 16 ms
 
 
 @dataclass(frozen=True)
@@ -37,11 +38,11 @@ class Lift:
 
     Attributes:
         part: "trunk", or a foot: "FR", "FL", "RR", "RL".
-        time: Time since reset when the grip begins to close [s].
-        duration: Time from there until the grip begins to open [s].
+        time: Time when the grip begins to close, measured from reset [s].
+        duration: Time from the start of closing to the start of opening [s].
         height: Desired height of the part above its position at the start of the grip [m].
         speed: Speed at which the desired height rises [m/s].
-        ramp: Time in which the grip closes, and in which it opens [s].
+        ramp: Duration of closing, and of opening, the grip [s].
         lowering: Speed of lowering the part before the grip opens [m/s]; None: the grip opens at
             the full height.
     """
@@ -99,7 +100,7 @@ class ExternalLift:
         self._grip_pose: tuple[Array, Array] | None = None
 
     def apply(self, data: mujoco.MjData, time: float) -> None:
-        """Add the force and moment to xfrc_applied, for the step that begins at `time` [s]."""
+        """Add the force and moment to xfrc_applied for the step that begins at `time` [s]."""
         grip = self._lift.grip(time)
         if grip <= 0.0:
             self._grip_pose = None

@@ -10,16 +10,18 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 
 # Chosen by hand; tests: test_plant_lying_pose.py.
-FIRST_CHECK_TIME = 1.0  # [s] after a drop; most drops that will fail can be detected by then
-LYING_SETTLE_TIME = 4.0  # [s] that braking motors need to lower the body
-# [m/s], [rad/s] a slower robot is at rest. Above: the arming checks' 0.05 rad/s.
+FIRST_CHECK_TIME = 1.0  # [s] time after a drop when most failing drops can be detected
+LYING_SETTLE_TIME = 4.0  # [s] time after a drop when braking motors have lowered the body
+# [m/s], [rad/s] Speed below which the robot is at rest. Upper bound: the arming checks' 0.05 rad/s.
 REST_SPEED = 0.05
-MAX_DROPS = 400  # measured: one drop in four to thirty succeeds, depending on robot and ground
-MAX_REST_TILT = np.radians(20.0)  # below the 25 degrees at which the arming checks refuse
-_ABORT_TILT = np.radians(40.0)  # twice MAX_REST_TILT: the body will not come to rest
-_DROP_TILT = np.radians(10.0)  # uniform in +- this value
-_DROP_HEIGHT = 0.005  # [m] of the lowest point above the ground: no bounce
-_LEG_CLEARANCE = 0.02  # [m] along the body between the front and the rear leg of a side
+MAX_DROPS = 400  # measured: one drop in 4 to 30 succeeds, depending on robot and ground
+# Largest tilt at rest; must be below the arming checks' 25 degrees.
+MAX_REST_TILT = np.radians(20.0)
+# Tilt from which the body will not come to rest: twice MAX_REST_TILT.
+_ABORT_TILT = np.radians(40.0)
+_DROP_TILT = np.radians(10.0)  # bound of the uniform draws of roll and pitch
+_DROP_HEIGHT = 0.005  # [m] height of the lowest point above the ground: no bounce
+_LEG_CLEARANCE = 0.02  # [m] smallest distance, along the body, of front and rear leg of a side
 
 
 def drop_robot(
@@ -29,10 +31,10 @@ def drop_robot(
     robot: Robot,
     rng: np.random.Generator,
 ) -> None:
-    """Place the robot just above the ground, with random attitude and random, clear legs.
+    """Place the robot just above the ground, with random attitude and random joint angles.
 
     Joint angles are uniform in the middle 94 % of each range, roll and pitch within 10 degrees, and
-    the heading is arbitrary. legs_clear() holds.
+    the heading is arbitrary. Joint angles are drawn until legs_clear() is true.
     """
     lower, upper = np.array(robot.config.q_lower), np.array(robot.config.q_upper)
     mujoco.mj_resetData(model, data)
@@ -53,7 +55,7 @@ def drop_robot(
 
 
 def may_settle(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether the drop may still succeed: the tilt is below 40 degrees, the legs clear."""
+    """Return whether the drop may succeed: tilt below 40 degrees, and legs_clear() is true."""
     tipped = data.xmat[handles.root, 8] < np.cos(_ABORT_TILT)
     return not tipped and legs_clear(model, data, handles)
 
@@ -66,7 +68,7 @@ def is_settled(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> 
 
 
 def legs_clear(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether links touch nothing but the ground, and front legs are ahead of rear legs."""
+    """Return whether links touch only the ground, and front legs are ahead of rear legs."""
     bodies = model.geom_bodyid[data.contact.geom]
     if np.any(np.all(bodies != 0, axis=1)):
         return False

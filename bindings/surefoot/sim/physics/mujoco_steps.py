@@ -1,4 +1,4 @@
-"""Addresses of mj_step1() and mj_step2(): C++ calls them in a loop, for any MuJoCo version."""
+"""Finds mj_step1() and mj_step2() of any MuJoCo version, which C++ calls in a loop."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The physics loop: applies delayed commands, pushes and external lifts while it takes steps."""
+"""The physics loop: advances the simulation with delayed commands, pushes and external lifts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from surefoot.sim.settings import Push
 
 
 class PhysicsLoop:
-    """Advances the simulation. It takes many steps in one call of C++ until the next event.
+    """Advances the simulation, with one call of C++ for all steps until the next event.
 
     Events are a scheduled motor law, a push and an external lift.
 
@@ -28,7 +28,7 @@ class PhysicsLoop:
         data: MuJoCo's state, which the loop advances.
         handles: Indices into model and data.
         robot: The robot, for its mass.
-        physics: The C++ object that takes the steps.
+        physics: The C++ object that computes the steps.
         dt: Physics step [s].
 
     Attributes:
@@ -80,7 +80,7 @@ class PhysicsLoop:
         self._lifts.append(ExternalLift(self._model, self._handles, self._robot, lift))
 
     def schedule_law(self, law: MotorLaw, steps: int) -> None:
-        """Schedule a motor law to take effect after this number of physics steps."""
+        """Schedule a motor law that takes effect after `steps` physics steps."""
         self._scheduled_laws.append((self._step + steps, law))
 
     def apply_joint_torque(self, torque: Array) -> None:
@@ -92,7 +92,7 @@ class PhysicsLoop:
             self._data.qfrc_applied[self._handles.joint_v] = torque
 
     def advance(self, steps: int) -> None:
-        """Take physics steps."""
+        """Advance by `steps` physics steps."""
         end = self._step + steps
         while self._step < end:
             while self._scheduled_laws and self._scheduled_laws[0][0] <= self._step:
@@ -109,8 +109,8 @@ class PhysicsLoop:
             self._step += count
 
     def _apply_lifts(self) -> None:
-        # MuJoCo keeps xfrc_applied until it is overwritten. An active push then overwrites the
-        # trunk's entry.
+        # MuJoCo keeps xfrc_applied until the next write, so clear it first. An active push later
+        # overwrites the trunk's entry.
         self._data.xfrc_applied[:] = 0.0
         for lift in self._lifts:
             lift.apply(self._data, self.time)

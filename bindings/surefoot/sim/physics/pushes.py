@@ -33,7 +33,7 @@ class PushSchedule:
         pushes: The pushes; add() adds more.
 
     Attributes:
-        force: (3,) total force in the step last applied, world axes [N].
+        force: (3,) total force that the last apply() set, world axes [N].
         point: (3,) point where the last active push acts, world axes [m].
     """
 
@@ -50,10 +50,10 @@ class PushSchedule:
         self._pushes.append(push)
 
     def idle_steps(self, time: float) -> int:
-        """Return the number of steps from `time` [s] on that need no call of apply()."""
+        """Return how many steps from `time` [s] on need no call of apply()."""
         wait = math.inf
         for push in self._pushes:
-            # One step of margin on both sides: apply() must also set the force back to zero.
+            # One step of margin on both sides, because apply() must also reset the force to zero.
             if time <= push.time + push.duration + self._dt:
                 wait = min(wait, push.time - self._dt - time)
         return sys.maxsize if wait == math.inf else max(0, math.floor(wait / self._dt))
@@ -63,7 +63,7 @@ class PushSchedule:
         force, moment = np.zeros(3), np.zeros(3)
         for k, push in enumerate(self._pushes):
             overlap = min(time + self._dt, push.time + push.duration) - max(time, push.time)
-            # Rounding of the clock leaves tiny overlaps at both ends of a push, below 1e-9 steps.
+            # Ignore overlaps below 1e-9 steps, which rounding of the clock causes at both ends.
             if overlap <= 1e-9 * self._dt:
                 continue
             if k not in self._direction:

@@ -12,10 +12,10 @@ from surefoot.sim.physics.hanging import hanging_height
 from surefoot.sim.settings import PlantSettings
 
 # Chosen by hand; test: test_feet_of_a_position_controlled_robot_creep_below_0_1_mm.
-# [s] in position mode before the first LowState: 25 time constants HOLD_KD / HOLD_KP.
+# [s] Time in position mode before the first LowState: 25 time constants HOLD_KD / HOLD_KP.
 SETTLE_TIME = 0.8
-HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by about one degree
-HOLD_KD = 0.8  # [N.m.s/rad] per kilogram of robot: the legs settle without swinging
+HOLD_KP = 25.0  # [N.m/rad] stiffness per kilogram of robot: calves sag by about one degree
+HOLD_KD = 0.8  # [N.m.s/rad] damping per kilogram of robot: the legs settle without swinging
 
 
 def place_standing(
@@ -34,7 +34,7 @@ def place_standing(
     if settings.hung:
         data.qpos[2] = hanging_height(model, data, handles, robot)
     data.qpos[handles.joint_q] = robot.config.q_standing
-    data.qpos[handles.motor_q] = robot.config.q_standing  # with backlash: in its middle
+    data.qpos[handles.motor_q] = robot.config.q_standing  # with backlash: in the middle of the play
     if settings.hung:
         return
     mujoco.mj_kinematics(model, data)

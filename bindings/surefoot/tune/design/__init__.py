@@ -1,4 +1,4 @@
-"""Gains and stability margins from frequency, damping and delay, by a model of the sampled loop.
+"""Gains and stability margins for requested frequency and damping, from a model of the loop.
 
 docs/tuning-design.md derives the model. Needs CasADi: ``pip install surefoot[tune]``.
 """

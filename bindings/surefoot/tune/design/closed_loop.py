@@ -1,4 +1,4 @@
-"""Sampled closed loop of one direction: state matrix at rest, and simulation of a push."""
+"""Sampled closed loop of one direction: state matrix at rest, and simulation after a push."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from surefoot.tune.design.timing import Observers, Timing
 
 Array = npt.NDArray[np.float64]
 
-_BLOCK_TICKS = 200  # ticks computed in one CasADi call
+# Chosen: the overhead of a call is small against its ticks; a diverging run ends soon.
+_BLOCK_TICKS = 200  # number of ticks that one CasADi call computes
 
 
 class ClosedLoop:
@@ -43,10 +44,10 @@ class ClosedLoop:
         return self._tick.state_count
 
     def state_matrix(self, kp: float, kd: float) -> Array:
-        """Return A of state+ = A state at rest, shape (states, states).
+        """Return the matrix A of (next state) = A (state) at rest, shape (states, states).
 
-        Dry friction, the limits of the QP and the push observer (inside its dead band) are left
-        out.
+        The matrix omits dry friction, the limits of the QP, and the push observer, whose input is
+        inside its dead band at rest.
         """
         if self._state_jacobian is None:
             state, gains, after = self._tick.expressions(linear=True)
@@ -55,7 +56,7 @@ class ClosedLoop:
         return np.asarray(self._state_jacobian(np.zeros(self.state_count), [kp, kd]))
 
     def simulate(self, kp: float, kd: float, duration: float) -> Array:
-        """Simulate the loop after a push, with the initial velocity direction.push_velocity.
+        """Simulate the loop after a push that gives the body direction.push_velocity.
 
         Args:
             kp: Stiffness [1/s^2].
@@ -82,7 +83,7 @@ class ClosedLoop:
 
 
 def load_casadi() -> Any:
-    """Import CasADi; raises Error if it is missing."""
+    """Import CasADi and return the module; raise Error if CasADi is missing."""
     try:
         import casadi
     except ImportError:

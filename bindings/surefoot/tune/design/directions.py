@@ -1,4 +1,4 @@
-"""Model of a standing robot as six decoupled directions: inertia, friction, limits of the QP."""
+"""Model of a standing robot as six decoupled directions with inertia, friction and QP limits."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from surefoot._core import Robot
 Array = npt.NDArray[np.float64]
 
 DIRECTION_NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
-# Axis: its stiffness and damping gain, and its directions.
+# For each axis: the names of its stiffness gain and damping gain, and its directions.
 AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "height": ("com_kp_vertical", "com_kd_vertical", ("z",)),
     "sway": ("com_kp_horizontal", "com_kd_horizontal", ("x", "y")),
@@ -26,17 +26,18 @@ class Direction:
     """Direction of body motion with fixed feet, modelled per unit of its inertia.
 
     Attributes:
-        name: x, y, z of the centre of mass, or roll, pitch, yaw of the base; in the robot's axes.
+        name: x, y, z of the centre of mass, or roll, pitch, yaw of the base; in base axes.
         rotates: True for roll, pitch and yaw.
         inertia: Inertia of the robot in this direction, with rotors [kg or kg.m^2].
-        friction: Deceleration by dry friction of the joints [m/s^2 or rad/s^2]; 0 for y, whose
-            boundary it hardly raises (docs/tuning-design.md).
-        viscous: Deceleration by viscous friction, per speed [1/s].
+        friction: Deceleration by dry friction of the joints [m/s^2 or rad/s^2]. It is 0 for y,
+            because friction hardly changes the boundary of y (docs/tuning-design.md).
+        viscous: Deceleration by viscous friction of the joints, per speed [1/s].
         base_motion_ratio: Displacement of the base origin per displacement of the centre of mass.
-        external_acceleration_ratio: Planned acceleration that is lost per estimated external
-            acceleration that does not exist: base_motion_ratio * mass / inertia; 1 for rotations.
-        limits: Table (n, 2), increasing: desired acceleration, and the acceleration that the QP
-            achieves [m/s^2 or rad/s^2].
+        external_acceleration_ratio: Ratio of lost planned acceleration to estimated external
+            acceleration, when no external force acts: base_motion_ratio * mass / inertia; 1 for
+            rotations.
+        limits: Table (n, 2) with increasing rows: desired acceleration, and acceleration that the
+            QP achieves [m/s^2 or rad/s^2].
         push_velocity: Velocity after a push of half the LIP push limit [m/s or rad/s].
     """
 

@@ -1,4 +1,4 @@
-"""Design of gains from goals, with margins; goals that cannot be stable are refused."""
+"""Design of gains and margins from goals; a goal that cannot be stable is refused."""
 
 from __future__ import annotations
 
@@ -14,20 +14,22 @@ from surefoot.tune.design.standing_body import compute_standing_body
 from surefoot.tune.design.timing import Observers
 from surefoot.tune.design.unstable_goal import unstable_goal_text
 
-WARN_GAIN_MARGIN = 2.0  # least gain margin without a warning
-WARN_DELAY_PERIODS = 1.0  # least delay margin without a warning, in periods
+# Chosen: the usual gain margin of a factor of two (6 dB).
+WARN_GAIN_MARGIN = 2.0  # gain margin below which a warning is given
+# Chosen: one lost sample must not make the loop unstable.
+WARN_DELAY_PERIODS = 1.0  # [periods] delay margin below which a warning is given
 
 
 @dataclass(frozen=True)
 class AxisDesign:
-    """Design of one axis, with the margins of its direction with the smallest margin.
+    """Design of one axis, with the stability margins of its directions.
 
     Attributes:
         name: One of AXES.
-        goal: Desired frequency and damping, or those of the robot's own gains.
-        uses_robot_gains: True if the axis keeps the robot's own gains.
+        goal: Desired frequency and damping; without a goal, those of the robot's own gains.
+        uses_robot_gains: True if the axis has no goal and keeps the robot's own gains.
         direction: Direction with the smallest boundary.
-        margins: Margins of that direction.
+        margins: Margins of `direction`.
         directions: Margins of all directions of the axis.
     """
 
@@ -78,13 +80,13 @@ class Design:
 
 
 def design_gains(settings: DesignSettings) -> Design:
-    """Compute gains and margins.
+    """Compute the gains of the axes with goals, and the margins of all axes.
 
-    kp = (2 pi f)^2, kd = 2 zeta 2 pi f for each axis with a goal.
+    The gains are kp = (2 pi f)^2 and kd = 2 zeta 2 pi f.
 
     Raises:
-        Error: Unknown axis; a gain or a setting out of its range; a goal that cannot be stable (the
-            message has the greatest stable frequency); CasADi is missing.
+        Error: An axis is unknown, a gain or a setting is out of its range, a goal cannot be stable
+            (the message names the greatest stable frequency), or CasADi is missing.
     """
     settings.check()
     body = compute_standing_body(settings.robot, settings.joint_friction_scale, settings.start)

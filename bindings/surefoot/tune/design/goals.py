@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from surefoot._core import Error
 from surefoot.tune.design.ranges import check_range
 
-FREQUENCY_RANGE = (0.01, 7.1)  # [Hz]; 7.1 Hz is kp = 2000 1/s^2, the largest kp of the gains
+# Lower end chosen: slower than any motion of a standing robot.
+FREQUENCY_RANGE = (0.01, 7.1)  # [Hz] range of goals; 7.1 Hz gives kp = 2000 1/s^2, the largest kp
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,7 @@ class Goal:
 
     Attributes:
         frequency: Natural frequency f [Hz].
-        damping: Damping ratio zeta; 1 is critical.
+        damping: Damping ratio zeta; 1 is critical damping.
     """
 
     frequency: float
@@ -42,19 +43,23 @@ class Goal:
         return 4.0 * math.pi * self.damping * self.frequency
 
     def at(self, frequency: float) -> Goal:
-        """Return a goal with this damping ratio and another frequency [Hz]."""
+        """Return a goal with the same damping ratio and the given frequency [Hz]."""
         return Goal(frequency, self.damping)
 
 
 def goal_from_gains(kp: float, kd: float) -> Goal:
-    """Return the frequency and damping of gains; raises Error unless both are above 0."""
+    """Return the frequency and damping of kp [1/s^2] and kd [1/s].
+
+    Raises:
+        Error: kp or kd is not above 0.
+    """
     if not (kp > 0.0 and kd > 0.0):
         raise Error(f"gains: got kp {kp:g} and kd {kd:g}, expected both above 0")
     return Goal(math.sqrt(kp) / (2.0 * math.pi), kd / (2.0 * math.sqrt(kp)))
 
 
 def parse_goal(option: str, text: str, damping: float) -> Goal:
-    """Parse FREQ[:DAMPING]; raises Error.
+    """Parse FREQ[:DAMPING] to a goal; raise Error if the text is invalid.
 
     Args:
         option: Name of the option, for messages.

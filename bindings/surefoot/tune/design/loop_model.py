@@ -1,8 +1,9 @@
 """Model of one tick of a direction's sampled closed loop, as CasADi expressions of state and gains.
 
-The model has sensors, observers, command delay, motors and body, in the order and with the steps of
-the simulated robot. It is linear for small motion. For larger motion it includes the dead band of
-the push observer, dry friction and the limits of the QP. docs/tuning-design.md has the equations.
+The model has sensors, observers, command delay, motors and body, in the order and with the time
+steps of the simulated robot. The linear model is valid for small motion. The complete model adds
+the dead band of the push observer, dry friction and the limits of the QP. docs/tuning-design.md has
+the equations.
 """
 
 from __future__ import annotations
@@ -14,11 +15,15 @@ from typing import Any
 from surefoot.tune.design.directions import Direction
 from surefoot.tune.design.timing import Observers, Timing
 
-_MAX_STEP = 0.0005  # [s] longest step of motor and body, as in the simulated robot
-_FORCE_FILTER_TIME = 0.005  # [s] filter time of the ground forces from torques (LegForces)
-# Constants of the PushObserver. Innovation above which its filter time is shortened, and excess
-# that halves the time [push_dead_band]; shortest time [push_time]; longest time of large
-# innovations [s], and its decrease per second of small ones [s].
+# Derived: the fine physics step of surefoot.sim.
+_MAX_STEP = 0.0005  # [s] longest time step of motor and body, as in the simulated robot
+# Copy of LegForces::kFilterTime.
+_FORCE_FILTER_TIME = 0.005  # [s] filter time of the ground forces computed from torques
+# Constants of the PushObserver, in order. [push_dead_band] Innovation above which the filter time
+# is shortened. [push_dead_band] Excess of the innovation that halves the filter time. [push_time]
+# Shortest filter time. [s] Longest duration of large innovations that shorten it. [s] Decrease of
+# this duration per second of small innovations.
+# Copies of the constants in controller/src/estimator/external_wrench/push_observer.cpp.
 _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DECAY = (
     3.0,
     1.0,
@@ -26,12 +31,12 @@ _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DEC
     0.05,
     0.05,
 )
-# MuJoCo's dry friction is soft: it is the constraint x'' = -b x' with b = 2 / (0.95 * 20 ms) at an
-# impedance of 0.9 (defaults of solreffriction and solimpfriction), up to the friction force.
+# MuJoCo's dry friction is a soft constraint: x'' = -b x', limited to the friction force. By default
+# (solreffriction, solimpfriction) b is 2 / (0.95 * 20 ms) and the impedance is 0.9.
 _FRICTION_RATE, _FRICTION_IMPEDANCE = 2.0 / (0.95 * 0.02), 0.9
-# State: position, velocity, motor acceleration, acceleration; values at the last two samples;
-# planned acceleration of the base in the last three ticks; states of the push and payload
-# observers. The commands in flight follow, newest first.
+# States of the loop: position, velocity, motor acceleration, acceleration; values at the last two
+# samples; planned acceleration of the base in the last three ticks; states of the push and payload
+# observers. In the state vector, the commands in flight follow after these, newest first.
 STATES = (
     *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
     *("made", "planned_base1", "planned_base2", "push", "payload", "force", "surprise_time"),
@@ -39,7 +44,7 @@ STATES = (
 
 
 class Tick:
-    """Step of one direction's loop from a state to the next, as a function of kp and kd.
+    """Step of one direction's loop: next state as a function of the state, kp and kd.
 
     Args:
         casadi: The CasADi module.
@@ -53,7 +58,7 @@ class Tick:
     ) -> None:
         self.direction, self.timing, self.observers = direction, timing, observers
         self._casadi = casadi
-        # The command of this tick acts after one period and the delay; until then it is in flight.
+        # A command is in flight for one period plus the delay, and then acts.
         self._latency = timing.period + timing.delay
         self._commands_in_flight = math.ceil(self._latency / timing.period - 1e-9)
         self._external_ratio = direction.external_acceleration_ratio
@@ -64,21 +69,24 @@ class Tick:
         return len(STATES) + self._commands_in_flight
 
     def expressions(self, linear: bool) -> tuple[Any, Any, Any]:
-        """Return the symbols of state and gains, and the next state."""
+        """Return the symbols of the state and of the gains (kp, kd), and the next state.
+
+        `linear`: whether to omit dry friction, the dead band and the limits of the QP.
+        """
         ca, period = self._casadi, self.timing.period
         state, gains = ca.SX.sym("state", self.state_count), ca.SX.sym("gains", 2)
         s = {name: state[k] for k, name in enumerate(STATES)}
         sent = [state[len(STATES) + k] for k in range(self._commands_in_flight)]
-        # The gyroscope measures the mean rate over the tick. The estimated velocity has no lag
-        # because the accelerometer propagates it.
+        # The gyroscope measures the mean rate over the tick. The accelerometer propagates the
+        # estimated velocity, so this velocity has no lag.
         speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
         push, surprise_time, push_estimate = self._update_push_observer(s, linear)
         external = self.observers.push_resist * push_estimate + s["payload"]
         desired = -gains[0] * s["x1"] - gains[1] * speed - external
         achieved = desired if linear else self._qp_response(desired)
         planned = achieved + push_estimate + s["payload"]
-        # The plan assumes that the external force also accelerates legs and rotors. In the model
-        # the estimated force does not exist, so this part of the command is lost.
+        # The controller assumes that the estimated external force also accelerates legs and rotors,
+        # and subtracts this part. The model has no external force, so this part is lost.
         command = planned - self._external_ratio * (push_estimate + s["payload"])
         x, v, motor, a = self._step_body(s, [command, *sent], linear)
         force = s["force"] + period / (period + _FORCE_FILTER_TIME) * (s["motor"] - s["force"])
@@ -100,7 +108,7 @@ class Tick:
         return state, gains, next_state
 
     def _update_push_observer(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any, Any]:
-        """Return the next states of the push observer, and its estimated external acceleration."""
+        """Return the two next states of the push observer, and the external acceleration."""
         if linear or self.direction.rotates:
             return 0.0, 0.0, 0.0
         period = self.timing.period
@@ -115,10 +123,10 @@ class Tick:
         return push, surprise_time, self._push_estimate(push)
 
     def _push_time_ratio(self, innovation: Any, surprise_time: Any) -> tuple[Any, Any]:
-        """Return the filter time as a share of push_time, and the next surprise_time.
+        """Return the filter time as a share of push_time, and the next surprise_time [s].
 
-        Large innovations shorten the filter time, but not for longer than _MAX_SURPRISE_TIME. The
-        direction z always uses the full time.
+        Large innovations shorten the filter time for at most _MAX_SURPRISE_TIME. In the direction
+        z, the share is always 1.
         """
         if self.direction.name == "z":
             return 1.0, 0.0
@@ -142,7 +150,7 @@ class Tick:
         return ca.sign(push) * size
 
     def _qp_response(self, desired: Any) -> Any:
-        """Return the acceleration that the QP achieves, interpolated in direction.limits."""
+        """Return the acceleration that the QP achieves, looked up in direction.limits."""
         ca, limits = self._casadi, self.direction.limits
         given = limits[0, 1]
         for (low, start), (high, end) in itertools.pairwise(limits):
@@ -168,7 +176,10 @@ class Tick:
         return x, v, motor, a
 
     def _mean_active_command(self, commands: list[Any], time: float, dt: float) -> Any:
-        """Return the mean command that acts from `time` to `time + dt`; commands: newest first."""
+        """Return the mean of the commands that act from `time` to `time + dt` [s] in this period.
+
+        `commands` has the newest command first.
+        """
         period = self.timing.period
         age = math.ceil((self._latency - time) / period - 1e-9)
         until = self._latency - (age - 1) * period - time

@@ -13,15 +13,20 @@ from surefoot.tune.design.goals import Goal, goal_from_gains
 from surefoot.tune.design.stability_search import find_delay_margin, first_unstable, last_stable
 from surefoot.tune.design.timing import Observers, Timing
 
+# Ends of the search; chosen. A loop has no lower limit down to 1 % of 2 Hz (docs/tuning-design.md).
 MAX_GAIN_FACTOR = 30.0  # largest gain margin that is searched
 MIN_GAIN_FACTOR = 0.02  # smallest gain margin that is searched
+# Chosen: the goals (FREQUENCY_RANGE) and far above them; bounds the search at high rates.
 FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] range searched for the greatest stable frequency
+# Chosen: push and rest of the slowest goals take longer, see eight time constants below.
 _RUN_TIME, _END_WINDOW, _START_WINDOW = (
     2.4,
     0.4,
     0.2,
-)  # [s] least time of a run, and the windows at its end and beginning that are compared
-_DECAY_RATIO = 0.05  # largest ratio of last to first acceleration that counts as decayed
+)  # [s] shortest duration of a run, and of the compared windows at its end and its beginning
+# Chosen. Below: noise and friction of a loop at rest; above: a slow oscillation.
+_DECAY_RATIO = 0.05  # largest ratio of last to first peak acceleration that counts as decayed
+# Numerical: rounding of the eigenvalues of an integrator, whose radius is 1.
 _STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable
 
 
@@ -30,15 +35,17 @@ class Margins:
     """Margins of one direction at given gains.
 
     Attributes:
-        pole_frequency: Natural frequency of the pole nearest to the goal's [Hz].
-        pole_damping: Damping ratio of that pole; 1 for a real pole.
+        pole_frequency: Natural frequency [Hz] of the loop's pole nearest to the goal's pole.
+        pole_damping: Damping ratio of the same pole; 1 for a real pole.
         spectral_radius: Greatest magnitude of a pole; the loop at rest is stable below 1.
-        gain_up: Factor above 1 on kp and kd at which the loop at rest becomes unstable, without
-            friction.
-        gain_down: Factor below 1 at which it becomes unstable; 0 if there is none.
-        delay: Additional delay at which the loop at rest becomes unstable [s].
-        boundary: Factor on kp and kd from which a push starts an oscillation that does not decay.
-        push_delay: Additional delay from which a push starts such an oscillation [s].
+        gain_up: Factor above 1 on kp and kd at which the loop at rest, without friction, becomes
+            unstable.
+        gain_down: Factor below 1 on kp and kd at which the loop at rest becomes unstable; 0 if it
+            stays stable.
+        delay: Additional delay [s] at which the loop at rest becomes unstable.
+        boundary: Smallest factor on kp and kd at which the oscillation after a push does not decay.
+        push_delay: Smallest additional delay [s] at which the oscillation after a push does not
+            decay.
     """
 
     pole_frequency: float
@@ -64,9 +71,10 @@ def spectral_radius(loop: ClosedLoop, kp: float, kd: float) -> float:
 def goal_pole(loop: ClosedLoop, goal: Goal) -> tuple[float, float]:
     """Return frequency [Hz] and damping ratio of the pole nearest to the goal's pole."""
     z = np.linalg.eigvals(loop.state_matrix(goal.kp, goal.kd)).astype(complex)
-    # Leave out the pole of the payload observer, which hardly moves the body.
+    # Ignore the pole of the payload observer, because it hardly moves the body.
     observer = 1.0 - loop.timing.period / loop.observers.payload_time
     z = np.delete(z, int(np.argmin(np.abs(z - observer))))
+    # Numerical: poles of delays are at 0.
     s = np.log(z[np.abs(z) > 1e-6]) * loop.timing.rate
     wn = 2.0 * math.pi * goal.frequency
     desired_pole = wn * (-goal.damping + np.emath.sqrt(goal.damping**2 - 1.0))
@@ -75,9 +83,10 @@ def goal_pole(loop: ClosedLoop, goal: Goal) -> tuple[float, float]:
 
 
 def gain_margins(loop: ClosedLoop, kp: float, kd: float) -> tuple[float, float]:
-    """Return the lower and upper factor on both gains between which the loop at rest is stable.
+    """Return the lower and upper limit of the factors on kp and kd with a stable loop at rest.
 
-    (1, 1) if the loop is unstable at these gains; 0 or MAX_GAIN_FACTOR if no limit was found.
+    (1, 1): the loop is unstable at these gains. A lower limit of 0 or an upper limit of
+    MAX_GAIN_FACTOR: the search found no limit.
     """
 
     def unstable(factor: float) -> bool:
@@ -92,7 +101,7 @@ def gain_margins(loop: ClosedLoop, kp: float, kd: float) -> tuple[float, float]:
 
 
 def delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
-    """Return the additional delay at which the loop at rest becomes unstable [s]."""
+    """Return the additional delay [s] at which the loop at rest becomes unstable."""
     return find_delay_margin(
         loop, lambda delayed_loop: spectral_radius(delayed_loop, kp, kd) >= _STABLE_RADIUS
     )
@@ -101,8 +110,9 @@ def delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
 def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
     """Return whether a push starts an oscillation that does not decay."""
     goal = goal_from_gains(kp, kd)
-    # Give a slow loop time to settle: 8 time constants.
+    # A slow loop needs more time to settle: 8 time constants.
     settling = 8.0 / (min(goal.damping, 1.0) * 2.0 * math.pi * goal.frequency)
+    # [s] 20: chosen, bounds the time of very slow goals.
     a = loop.simulate(kp, kd, max(_RUN_TIME, min(settling, 20.0)))
     if not np.isfinite(a).all():
         return True
@@ -112,10 +122,10 @@ def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
 
 
 def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
-    """Return the least factor on both gains at which a push starts an oscillation that stays.
+    """Return the smallest factor on kp and kd at which the oscillation after a push stays.
 
-    Includes dry friction, the dead band of the push observer and the limits of the QP. 0 if the
-    loop oscillates at all smaller gains too.
+    The model includes dry friction, the dead band of the push observer and the limits of the QP.
+    0: the loop oscillates at all smaller gains too.
     """
 
     def unstable(factor: float) -> bool:
@@ -130,16 +140,17 @@ def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
 
 
 def push_delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
-    """Return the additional delay from which a push starts an oscillation that stays [s]."""
+    """Return the smallest additional delay [s] at which the oscillation after a push stays."""
     return find_delay_margin(loop, lambda delayed_loop: oscillates(delayed_loop, kp, kd))
 
 
 def max_stable_frequency(
     direction: Direction, timing: Timing, observers: Observers, damping: float
 ) -> float:
-    """Return the greatest stable natural frequency at this damping ratio [Hz]; 0 if there is none.
+    """Return the greatest stable natural frequency [Hz] in FREQUENCY_SEARCH_RANGE.
 
-    Searches FREQUENCY_SEARCH_RANGE. The result is stable and within 1 % of the limit.
+    The damping ratio is fixed. The result is stable and within 1 % of the limit. 0: no frequency
+    in the range is stable.
     """
     loop = ClosedLoop(direction, timing, observers)
     low, high = FREQUENCY_SEARCH_RANGE

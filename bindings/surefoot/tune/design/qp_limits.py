@@ -1,4 +1,4 @@
-"""Accelerations that the QP achieves for desired accelerations, measured on the controller."""
+"""Accelerations that the QP achieves for given desired accelerations, from its solutions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from surefoot._core import Gains, Robot, RobotState, WholeBodyController
 Array = npt.NDArray[np.float64]
 
 GRAVITY = 9.81  # [m/s^2]
-# Desired accelerations that are measured, in g and in g / height.
+# Desired accelerations for which the QP is solved, [g] and [g / height].
+# Chosen: denser near 1 g, where a falling body loses its contact forces.
 _LINEAR_LEVELS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0)
 _ANGULAR_LEVELS = (0.5, 1.0, 1.5, 2.0, 4.0, 8.0, 16.0)
 
@@ -24,8 +25,8 @@ def qp_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
         gains: Gains of the controller.
 
     Returns:
-        For each of DIRECTION_NAMES a table (n, 2), increasing: desired and achieved acceleration
-        [m/s^2 or rad/s^2].
+        A table (n, 2) for each of DIRECTION_NAMES, with increasing rows: desired acceleration and
+        achieved acceleration [m/s^2 or rad/s^2].
     """
     controller = WholeBodyController(robot, gains)
     state = RobotState(robot.nq, robot.nv)
@@ -50,7 +51,7 @@ def qp_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
                 forces = np.asarray(solution.forces)
                 pull = forces[k].sum() / robot.mass - GRAVITY * (k == 2) if k < 3 else 0.0
                 given.append(sign * (pull if k < 3 else solution.accelerations[k]))
-            # Keep the table from decreasing: beyond a limit, small changes only move along it.
+            # Beyond a limit, the achieved acceleration may decrease slightly; the table must not.
             sides.append(np.column_stack([levels, np.maximum.accumulate(given)]))
         out.append(np.vstack([-sides[0][::-1], np.zeros((1, 2)), sides[1]]))
     return out

@@ -6,7 +6,7 @@ from surefoot._core import Error
 
 
 def check_range(name: str, value: float, low: float, high: float, unit: str = "") -> None:
-    """Raise Error unless low <= value <= high; NaN raises too."""
+    """Raise Error unless low <= value <= high; NaN also raises Error."""
     if not low <= value <= high:
         unit_suffix = f" {unit}" if unit else ""
         raise Error(

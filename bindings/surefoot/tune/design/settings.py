@@ -22,13 +22,13 @@ class DesignSettings:
 
     Attributes:
         robot: The robot's files.
-        goals: Goals by axis (see AXES); other axes keep the gains of `start`.
+        goals: Goals by axis (see AXES); axes without a goal keep the gains of `start`.
         timing: Rate, additional delay and motor lag.
-        start: Gains that the design changes; None: the robot's own.
-        trust_imu: Divides the initial noise of gyroscope and accelerometer, and the time and dead
-            band of the push observer.
-        trust_legs: Divides the initial noise of stance feet.
-        joint_friction_scale: Factor on joint friction.
+        start: Gains that the design changes. None: the robot's own gains.
+        trust_imu: Number that divides the noise gains of gyroscope and accelerometer, and the time
+            and dead band of the push observer.
+        trust_legs: Number that divides the noise gains of stance feet.
+        joint_friction_scale: Factor on the joint friction of the model.
     """
 
     robot: RobotDescription
@@ -46,5 +46,6 @@ class DesignSettings:
                 raise Error(f"axis: got '{name}', expected one of {', '.join(AXES)}")
             check_range(f"{name}, frequency", goal.frequency, *FREQUENCY_RANGE, "Hz")
         check_requested_delay(self.timing.rate, self.timing.delay)
+        # Chosen: noise gains of sensors that are ten times better or worse.
         check_range("trust_imu", self.trust_imu, 0.1, 10.0)
         check_range("trust_legs", self.trust_legs, 0.1, 10.0)

@@ -16,7 +16,8 @@ from surefoot.tune.design.margins import max_stable_frequency, spectral_radius
 from surefoot.tune.design.panels import add_legend, four_panels
 from surefoot.tune.design.timing import MAX_DELAY_PERIODS, Observers
 
-_MAX_SHOWN_DELAY = 0.03  # [s] greatest additional delay shown; less at very high rates
+# Limits of the pictures; chosen: beyond delays and goals of a robot that can be used.
+_MAX_SHOWN_DELAY = 0.03  # [s] greatest additional delay on the map; smaller at very high rates
 _DAMPINGS = np.linspace(0.2, 1.6, 11)
 _MAX_SHOWN_FREQUENCY = 16.0  # [Hz] upper end of the map
 
@@ -57,7 +58,7 @@ def draw_damping_map(design: Design) -> Figure:
 def _max_frequencies(
     design: Design, axis: AxisDesign, delay: float, damping: float
 ) -> tuple[float, float]:
-    """Return the greatest frequency [Hz] that is stable after a push, and that at rest."""
+    """Return the greatest frequency [Hz] that is stable after a push, and the greatest at rest."""
     direction = design.body.directions[axis.direction]
     timing = replace(design.settings.timing, delay=float(delay))
     observers = Observers.of(design.gains)

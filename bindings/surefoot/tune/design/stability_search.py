@@ -13,10 +13,11 @@ def last_stable(unstable: Callable[[float], bool], low: float, high: float) -> t
     """Search upwards from a stable `low` for the first unstable value.
 
     Returns:
-        A stable value, and an unstable one at most 1 % above it. `high` twice if all values up to
+        A stable value, and an unstable value at most 1 % above it. (high, high): all values up to
         `high` are stable.
     """
     upper = low
+    # Steps of 30 % must not skip a stable region; the boundary is then found to 1 %.
     while not unstable(upper := 1.3 * upper):
         low = upper
         if upper >= high:
@@ -28,7 +29,7 @@ def last_stable(unstable: Callable[[float], bool], low: float, high: float) -> t
 
 
 def first_unstable(unstable: Callable[[float], bool], low: float, high: float) -> float:
-    """Return the first unstable value above a stable `low`, to 1 %; `high` if there is none."""
+    """Return the first unstable value above a stable `low`, to 1 %; `high` if all are stable."""
     stable, not_stable = last_stable(unstable, low, high)
     return math.sqrt(stable * not_stable)
 
@@ -36,7 +37,8 @@ def first_unstable(unstable: Callable[[float], bool], low: float, high: float) -
 def find_delay_margin(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) -> float:
     """Return the additional delay [s] at which a loop becomes unstable.
 
-    0 if the loop is already unstable; timing.max_extra_delay if it stays stable up to that.
+    0: the loop is unstable without additional delay. timing.max_extra_delay: the loop is stable up
+    to this delay.
     """
 
     def with_extra_delay(delay: float) -> ClosedLoop:
@@ -47,11 +49,12 @@ def find_delay_margin(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) 
         return 0.0
     max_delay = loop.timing.max_extra_delay
     low, step = 0.0, min(0.001, max_delay)
-    # Search upwards from 0: beyond the first unstable delay, a loop may seem stable again.
+    # Search upwards from 0, because a loop may be stable again beyond the first unstable delay.
     while not unstable(with_extra_delay(step)):
         if step >= max_delay:
             return max_delay
         low, step = step, min(1.3 * step, max_delay)
+    # [s] Resolution of the delay margin, as it is printed.
     while step - low > 0.0001:
         middle = 0.5 * (low + step)
         low, step = (low, middle) if unstable(with_extra_delay(middle)) else (middle, step)

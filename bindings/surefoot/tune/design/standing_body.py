@@ -1,4 +1,4 @@
-"""Computation of a standing robot's directions, from its model and the QP of its controller."""
+"""Computation of the directions of a standing robot, from its model and its controller's QP."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from surefoot.tune.design.directions import DIRECTION_NAMES, Array, Direction, S
 from surefoot.tune.design.qp_limits import GRAVITY, qp_limits
 from surefoot.tune.design.ranges import check_range
 
+# Factor on the joint friction. Chosen: from none to far above a worn gear.
 FRICTION_SCALE_RANGE = (0.0, 10.0)
-_PUSH_SHARE = 0.5  # push in parts of the LIP push limit
+# Chosen. Below: joint friction hides the motion; above: torques saturate.
+_PUSH_SHARE = 0.5  # impulse of the push as a share of the LIP push limit
 
 
 def compute_standing_body(
@@ -25,10 +27,11 @@ def compute_standing_body(
     """Compute the directions of a standing robot.
 
     Args:
-        description: The robot's files; joint friction is in table ``simulation`` of its TOML, and
-            zero if the table lacks it.
+        description: The robot's files. The section ``simulation`` of the TOML has the joint
+            friction; without it the friction is zero.
         joint_friction_scale: Factor on dry and viscous friction of the joints.
-        gains: Gains of the QP: hold_down, weights, penalties, force limits. None: the robot's own.
+        gains: Gains of the QP: hold_down, weights, penalties, force limits. None: the robot's own
+            gains.
 
     Raises:
         Error: The scale is out of its range; the robot cannot be built or does not have twelve
@@ -65,7 +68,7 @@ def compute_standing_body(
             name=name,
             rotates=rotates,
             inertia=float(inertia[k, k]),
-            # Friction hardly slows y: the hips stick, and the body rolls about them.
+            # Dry friction hardly slows motion along y: the hip joints stick, and the body rolls.
             friction=0.0 if name == "y" else decelerations[0],
             viscous=decelerations[1],
             base_motion_ratio=base_ratio,
@@ -79,10 +82,10 @@ def compute_standing_body(
 
 
 def _body_motions(robot: Robot) -> Array:
-    """Return the matrix (nv, 6) from the velocities (v_com, w) to v with fixed feet.
+    """Return the matrix (nv, 6) that maps task velocities (v_com, w) to v, with fixed feet.
 
-    v_com: velocity of the centre of mass; w: angular velocity of the base. Fixed feet:
-    J_b v_b + J_l v_l = 0. Task velocities: (v_com, w) = T v_b.
+    v_com is the velocity of the centre of mass, w the angular velocity of the base. Fixed feet
+    mean J_b v_b + J_l v_l = 0. The base velocity v_b gives (v_com, w) = T v_b.
     """
     q = robot.q_standing()
     jacobian = np.asarray(symbolic.foot_jacobian(robot)(q))
@@ -101,7 +104,7 @@ def _joint_table(description: RobotDescription, name: str) -> list[float]:
 
 
 def _height_and_reach(robot: Robot) -> tuple[float, float]:
-    """Return height of the centre of mass, and its distance to the nearest support edge [m]."""
+    """Return the height of the centre of mass and its distance to the nearest support edge [m]."""
     q = robot.q_standing()
     com = np.asarray(symbolic.center_of_mass(robot)(q)).ravel()
     feet = np.asarray(symbolic.foot_positions(robot)(q)) - com[:, None]

@@ -98,7 +98,7 @@ def _margin_summary(margins: Margins) -> dict[str, Any]:
 
 
 def _designed_gain_names(design: Design) -> list[str]:
-    """Return the names of the gains of all axes, and of the noise gains that the design changed."""
+    """Return the names of the gains of all axes, and of the noise gains changed by the design."""
     own = design.settings.start or design.body.robot.config.gains
     axis_gains = [name for kp, kd, _ in AXES.values() for name in (kp, kd)]
     doubts = (*IMU_NOISE_GAINS, *LEG_NOISE_GAINS)

@@ -7,13 +7,17 @@ from dataclasses import dataclass
 from surefoot._core import Error, Gains
 from surefoot.tune.design.ranges import check_range
 
-# Limits of the requested delay. Each period of delay is a state of the model, and the time to
-# compute its poles grows with the cube of the number of states.
-MAX_DELAY, MAX_DELAY_PERIODS = 0.2, 100  # [s] and in periods
-# Limits of the search for delay margins, beyond the requested delay: [s] and in periods.
+# Limits of the requested delay. Each period of delay adds a state to the model, and the time to
+# compute the poles grows with the cube of the number of states.
+# Chosen: far above the delay with which a robot stands (margins in docs/tuning-design.md).
+MAX_DELAY, MAX_DELAY_PERIODS = 0.2, 100  # [s], [periods]
+# [s], [periods] Largest delay that the search for margins adds to the requested delay.
+# Chosen: half of the limits above.
 _MARGIN_SEARCH_DELAY, _MARGIN_SEARCH_PERIODS = 0.1, 50
-RATE_RANGE = (10.0, 10_000.0)  # [Hz]
-MOTOR_LAG_RANGE = (0.0, 0.1)  # [s]
+# Chosen: beyond the 100 to 1000 Hz of `surefoot run` on both sides.
+RATE_RANGE = (10.0, 10_000.0)  # [Hz] permitted rates of the loop
+# Chosen: far above the 1 to 4 ms of the episodes of tune search.
+MOTOR_LAG_RANGE = (0.0, 0.1)  # [s] permitted time constants of the motor torque
 
 
 @dataclass(frozen=True)
@@ -21,7 +25,7 @@ class Timing:
     """Rate and delays of the control loop.
 
     Attributes:
-        rate: LowStates and LowCmds per second [Hz]; each is delayed by one period.
+        rate: Ticks per second [Hz]. A command acts one period after its LowState, plus `delay`.
         delay: Additional delay of commands [s]. It may exceed the limit of
             check_requested_delay(), because the search for margins adds delay.
         motor_lag: Time constant of the motor torque [s].
@@ -29,6 +33,7 @@ class Timing:
 
     rate: float = 500.0
     delay: float = 0.0
+    # The lag of the simulated motors (surefoot.sim).
     motor_lag: float = 0.002
 
     def __post_init__(self) -> None:
@@ -39,7 +44,7 @@ class Timing:
 
     @property
     def period(self) -> float:
-        """Time between commands [s]."""
+        """Time between two commands [s]."""
         return 1.0 / self.rate
 
     @property
@@ -57,7 +62,7 @@ def check_requested_delay(
     Args:
         rate: Rate of the loop [Hz].
         delay: Additional delay of commands [s].
-        rate_name: Name of the rate in the message, for example an option.
+        rate_name: Name of the rate in the message, for example the name of an option.
         delay_name: Name of the delay in the message.
     """
     check_range(delay_name, 1000.0 * delay, 0.0, 1000.0 * MAX_DELAY, "ms")
@@ -81,7 +86,7 @@ class Observers:
     Attributes:
         payload_time: Time constant of the payload observer [s].
         push_time: Filter time of the push observer [s].
-        push_dead_band: Acceleration below which no push is estimated [m/s^2].
+        push_dead_band: Acceleration up to which the estimated push is zero [m/s^2].
         push_max: Largest estimated acceleration of a push [m/s^2].
         push_resist: Share of the estimated push that the controller compensates.
     """

@@ -17,10 +17,10 @@ def unstable_goal_text(
     """Return the message for a goal that cannot be stable.
 
     Args:
-        subject: Beginning of the message: the axis, and whether the gains are the robot's own.
+        subject: Beginning of the message. It names the axis and the origin of its gains.
         goal: The goal.
         timing: Timing of the loop.
-        directions: Directions of the axis; the least of their stable frequencies counts.
+        directions: Directions of the axis. The direction with the smallest stable frequency counts.
         observers: Observers of the estimator.
     """
     greatest = min(

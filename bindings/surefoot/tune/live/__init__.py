@@ -1,1 +1,1 @@
-"""The page of surefoot tune live: a standing robot and controls for its gains in a browser."""
+"""Page of surefoot tune live: a standing robot, and controls for its gains, in a browser."""

@@ -1,4 +1,4 @@
-"""Control process: runs a StandRunner apart from the page, so that the page cannot delay it."""
+"""Control process: runs a StandRunner in its own process, so that the page cannot delay it."""
 
 from __future__ import annotations
 
@@ -27,12 +27,13 @@ from surefoot.robot.loading import build_robot
 from surefoot.tune.live.controller_metrics import body_reference
 from surefoot.tune.live.metric_curves import TickMetrics
 
-STATUS_PERIOD = 0.05  # [s] between two RunnerStatus messages
-_FIRST_STATE_TIMEOUT = 1e6  # [s]; the robot may be switched on long after the page is opened
+# Derived: the period of published snapshots (kPublishPeriod in stand_runner.cpp).
+STATUS_PERIOD = 0.05  # [s] time between two RunnerStatus messages
+_FIRST_STATE_TIMEOUT = 1e6  # [s] no limit: the robot may be switched on long after the page
 
 Message = tuple[str, Any]
-"""Message of the page: ("gains", values by name), ("reference", values by axis), or one of "damp",
-"rearm" and "stop" with None."""
+"""Message from the page: ("gains", values by name), ("reference", values by axis), ("damp", None),
+("rearm", None) or ("stop", None)."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +43,8 @@ class RobotAddress:
     Attributes:
         host: Address of the robot.
         port: UDP port of the robot.
-        generation: Generation of its frames.
-        power_level: Level of the power protection, N x 100 W; 0 switches it off.
+        generation: SDK generation of the robot's frames.
+        power_level: Level of the power protection, in units of 100 W; 0: no power protection.
     """
 
     host: str
@@ -61,12 +62,14 @@ class RunnerStatus:
 
     Attributes:
         phase: Phase of the RunSnapshot; "standing" in normal operation.
-        reason: Reason of the damping; while waiting, why the last datagram was rejected.
+        reason: Reason of the damping. Before the first LowState: why the last datagram was
+            rejected.
         q: Estimated q, (nq,), Pinocchio's order; None before the first LowState.
         forces: Contact forces of the QP, (3, 4), world axes [N].
-        contact: Feet with a contact confidence above 0.5, (4,).
+        contact: (4,) true for each foot with a contact confidence above 0.5.
         sample: Metrics of the last tick.
-        refused: Number of refused re-arms: no LowState, or arming checks fail.
+        refused: Number of re-arms that were refused because no LowState arrived or an arming check
+            failed.
     """
 
     phase: str
@@ -83,10 +86,11 @@ def run_control_process(
 ) -> None:
     """Control the robot until the message "stop" or until the pipe closes; then damp and end.
 
-    Sends "" or an error text as the first message, then RunnerStatus messages while the page reads
-    them.
+    The first message to the page is "" or an error text. RunnerStatus messages follow while the
+    page reads them.
     """
-    # The page handles the signals of the terminal and sends "stop". SIGTERM stops this process.
+    # Ignore the terminal's signals: the page handles them and sends "stop". SIGTERM stops this
+    # process.
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTSTP):
         signal.signal(number, signal.SIG_IGN)
     try:
@@ -144,7 +148,10 @@ def _make_runner(
 
 
 def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
-    """Wait up to STATUS_PERIOD for a message and handle it; return False on "stop" or no page."""
+    """Wait up to STATUS_PERIOD for a message and handle it.
+
+    Return False after the message "stop", or if the page has ended.
+    """
     try:
         if not pipe.poll(STATUS_PERIOD):
             return True
@@ -158,7 +165,7 @@ def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
     elif word == "damp":
         runner.damp()
     elif word == "rearm":
-        # After a fault made the robot sit down, it is still armed and only has to rise.
+        # A robot that sat down after a fault is still armed and only needs to rise.
         if runner.snapshot().mode == Mode.PASSIVE:
             runner.request(Mode.RISE)
         else:
@@ -167,7 +174,7 @@ def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
 
 
 def _send_status(pipe: Connection, report: RunnerStatus) -> None:
-    """Send a status if the pipe accepts it at once, so that a page that hangs blocks nothing."""
+    """Send a status if the pipe accepts it at once; otherwise a hanging page would block us."""
     if not select.select([], [pipe.fileno()], [], 0.0)[1]:
         return
     try:

@@ -8,26 +8,29 @@ from collections.abc import Callable
 from surefoot._core import Gains, get_gain, set_gain
 from surefoot.robot.gain_files import changed_gains
 
-_MERGE_TIME = 1.0  # [s]; changes of one gain in quicker succession are undone together
-_MAX_HISTORY = 200  # sets of gains that can be undone
+# Chosen for a person: one drag of a slider is one step of undo.
+_MERGE_TIME = 1.0  # [s] changes of one gain within this time are undone together
+_MAX_HISTORY = 200  # number of changes that can be undone
 
 SLOTS = ("A", "B")
 
 
 class GainEditor:
-    """Desired gains and their history; a session passes them to its controller.
+    """Editor of the desired gains, with their history. A session passes them to its controller.
 
     Args:
         robot_gains: The robot's own gains.
-        start: Initial gains; None: the robot's own.
-        check: Raises Error for gains that are not permitted; None permits all valid gains.
-        now: Function that returns the clock [s].
+        start: Initial gains. None: the robot's own gains.
+        check: Function that raises Error for gains that are not permitted. None: all valid gains
+            are permitted.
+        now: Function that returns the time of a clock [s].
 
     Attributes:
         robot_gains: The robot's own gains.
-        version: Number of changes.
-        revision: Number of changes that no slider made, and of refused ones; sliders must follow.
-        slots: Gains stored as A and B.
+        version: Number of changes so far.
+        revision: Number of refused changes and of changes without a slider (undo, file, A or B).
+            When it grows, the sliders must be updated.
+        slots: Stored gains, by "A" and "B".
     """
 
     def __init__(
@@ -56,7 +59,11 @@ class GainEditor:
         return get_gain(self._gains, name)
 
     def set(self, name: str, value: float) -> None:
-        """Set one gain; undo() merges quick successive changes of one gain; raises Error."""
+        """Set one gain; undo() undoes quick successive changes of a gain together.
+
+        Raises:
+            Error: The gain is unknown, or its value is not permitted.
+        """
         gains = self.gains
         try:
             set_gain(gains, name, value)
@@ -74,7 +81,7 @@ class GainEditor:
         self.version += 1
 
     def replace(self, gains: Gains) -> None:
-        """Replace all gains; raises Error and changes nothing if one is not permitted."""
+        """Replace all gains; if one is not permitted, raise Error without any change."""
         self._validate(gains)
         self._save_history()
         self._set_gains(gains.__copy__())
@@ -91,14 +98,18 @@ class GainEditor:
         self.slots = {**self.slots, slot: self.gains}
 
     def use(self, slot: str) -> bool:
-        """Use the gains stored as A or B; return False if there are none; raises Error."""
+        """Replace the gains by those stored as A or B; return False if none are stored.
+
+        Raises:
+            Error: A stored gain is not permitted.
+        """
         if slot not in self.slots:
             return False
         self.replace(self.slots[slot])
         return True
 
     def changed(self) -> dict[str, tuple[float, float]]:
-        """Return the gains that differ from the robot's own: (own, present) value by name."""
+        """Return (own value, present value) by name, for gains that differ from the robot's own."""
         return differences(self.robot_gains, self._gains)
 
     def _validate(self, gains: Gains) -> None:
@@ -116,6 +127,6 @@ class GainEditor:
 
 
 def differences(first: Gains, second: Gains) -> dict[str, tuple[float, float]]:
-    """Return the gains that differ: (first, second) value by name."""
+    """Return (first value, second value) by name, for gains that differ."""
     changed = changed_gains(second, first)
     return {name: (get_gain(first, name), value) for name, value in changed.items()}

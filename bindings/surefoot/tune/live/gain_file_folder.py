@@ -13,7 +13,7 @@ class GainFolder:
 
     Args:
         folder: The folder.
-        robot: The robot; gains that a file does not name keep this robot's own values.
+        robot: The robot. A gain that a file does not name has the robot's own value.
 
     Raises:
         Error: The folder does not exist.
@@ -25,13 +25,18 @@ class GainFolder:
             raise Error(f"--folder: got '{folder}', expected an existing folder")
 
     def save(self, name: str, gains: Gains, comment: str = "") -> Path:
-        """Write gains to a file; raises Error for an invalid name, OSError if writing fails."""
+        """Write gains to a file and return its path.
+
+        Raises:
+            Error: The name is invalid.
+            OSError: The file cannot be written.
+        """
         path = self._path(name)
         save_gains(path, gains, self._robot.name, comment)
         return path
 
     def load(self, name: str) -> Gains:
-        """Read gains from a file; raises Error for an invalid name or file."""
+        """Return the gains in a file; raise Error if the name or the file is invalid."""
         return load_gains(self._path(name), self._robot.config.gains)
 
     def _path(self, name: str) -> Path:

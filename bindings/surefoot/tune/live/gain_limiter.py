@@ -1,4 +1,4 @@
-"""Limits of gains, and of their rate of change, on a robot on UDP."""
+"""Limits of gains and of their rate of change, for a robot on UDP."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ import math
 
 from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
 
-RANGE_FACTOR = 2.0  # range: the robot's own value divided and multiplied by this
+# Chosen: WARN_GAIN_MARGIN of tune design; margins are above it up to 12 ms of additional delay.
+RANGE_FACTOR = 2.0  # a gain ranges from the robot's own value / factor to own value * factor
+# Chosen: slower than the robot settles, so that a person sees the effect and can stop.
 LOG_RATE = math.log(2.0)  # [1/s] rate of a gain's logarithm: doubling a gain takes 1 s
 
 
 class GainLimiter:
-    """Ranges around a robot's own gains, and a limit of their rate of change.
+    """Limiter of gains to ranges around the robot's own gains, and of their rate of change.
 
-    Each gain may lie between its own value divided and multiplied by `factor`, within the range of
+    A gain's range is from own value / `factor` to own value * `factor`, limited to the range in
     gain_table(). A gain whose own value is zero stays zero.
 
     Args:
@@ -37,10 +39,10 @@ class GainLimiter:
         return self._ranges[name]
 
     def check(self, gains: Gains) -> None:
-        """Raise Error naming the first gain that is out of its range."""
+        """Raise Error if a gain is out of its range; the message names the first such gain."""
         for name, (low, high) in self._ranges.items():
             value = get_gain(gains, name)
-            # Allow for gains that a file states with fewer digits.
+            # Allow rounding errors of gains that a file states with fewer digits.
             slack = 1e-6 * high
             if not low - slack <= value <= high + slack:
                 raise Error(

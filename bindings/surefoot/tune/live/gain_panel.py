@@ -17,18 +17,18 @@ Post = Callable[[Callable[[], Any]], None]
 
 _UNDO, _OWN = "Undo", "Robot's own"
 _SAVE, _LOAD = "Save", "Load"
-_MAX_LISTED = 8  # most gains that the text about changes lists
+_MAX_LISTED = 8  # largest number of gains in the text about changes
 
 
 class GainPanel:
     """Panel that shows and changes gains.
 
     Args:
-        gui: GUI to add the panel to.
+        gui: GUI that gets the panel.
         editor: Editor of the gains.
         files: Folder in which gains are saved and loaded.
         post: Function that runs an action in the thread that owns the editor.
-        notifier: Shows what was done.
+        notifier: Notifier that shows what was done.
         gain_limiter: Limits for a robot on UDP; None for a simulated robot.
     """
 
@@ -94,7 +94,7 @@ class GainPanel:
     def _store(self, slot: str) -> None:
         self._editor.store(slot)
         self._notifier.show_done(f"stored as {slot}")
-        self._version = -1  # refresh() then updates the text, which compares A and B
+        self._version = -1  # refresh() then updates the text that compares A and B
 
     def _save(self, name: str) -> None:
         path = self._files.save(name, self._editor.gains, "Found with surefoot tune live.")

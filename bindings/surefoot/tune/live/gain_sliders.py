@@ -12,7 +12,7 @@ from surefoot.tune.live.gain_editor import GainEditor
 from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.slider_range import ZOOMS, SliderRange, rounded_range, slider_range
 
-_EXPANDED_GROUP = "Body"  # group whose folder is open at first
+_EXPANDED_GROUP = "Body"  # group whose folder is open when the page loads
 _INITIAL_ZOOM = "x 4"
 
 
@@ -20,10 +20,10 @@ class GainSliders:
     """Sliders that show and change the gains of an editor.
 
     Args:
-        gui: GUI to add the sliders to.
+        gui: GUI that gets the sliders.
         editor: Editor of the gains.
         post: Function that runs an action in the thread that owns the editor.
-        gain_limiter: Ranges of the sliders; None: ranges by a zoom that the user chooses.
+        gain_limiter: Ranges of the sliders. None: the user chooses a zoom, which sets the ranges.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class GainSliders:
                     self._sliders[info.name] = self._add_slider(info)
 
     def refresh(self) -> None:
-        """Update the sliders after a change that they did not make: undo, file, A or B, refusal."""
+        """Update the sliders after a change without a slider (undo, file, A or B) or a refusal."""
         if self._editor.revision == self._revision:
             return
         self._revision = self._editor.revision
@@ -108,5 +108,5 @@ class GainSliders:
 
 
 def _set_slider(slider: Any, value: float) -> None:
-    # `slider` is Any because viser's type annotations declare `value` read-only; it is not.
+    # `slider` is Any, because viser's type annotations wrongly declare `value` read-only.
     slider.value = value

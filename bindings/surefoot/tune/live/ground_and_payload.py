@@ -9,7 +9,7 @@ from surefoot.geometry.rotations import Array
 from surefoot.tune.live.scene_state import SceneState
 
 _ORANGE = (217, 140, 51)
-_DENSITY = 1000.0  # [kg/m^3], as that of the simulated payload
+_DENSITY = 1000.0  # [kg/m^3] density of the drawn payload, as in the simulation
 
 
 class GroundAndPayload:
@@ -17,7 +17,7 @@ class GroundAndPayload:
 
     Args:
         server: The server.
-        base: Name of the scene node that the payload is attached to.
+        base: Name of the scene node of the trunk, which carries the payload.
         size: Size of the robot [m].
     """
 

@@ -14,13 +14,13 @@ from surefoot.tune.live.udp_session import UdpSession
 def add_link_panel(
     gui: viser.GuiApi, robot: UdpSession, reset_reference: Callable[[], Any]
 ) -> None:
-    """Add the controls. They act in the GUI's thread and do not wait for the session's thread.
+    """Add the controls. The controls act in the GUI's thread, without the session's thread.
 
     Args:
-        gui: GUI to add the controls to.
-        robot: The robot.
-        reset_reference: Function that zeroes the reference sliders; called before a re-arm, which
-            resets the body reference.
+        gui: GUI that gets the controls.
+        robot: Session on the robot.
+        reset_reference: Function that zeroes the reference sliders. It is called before a re-arm,
+            because a re-arm resets the body reference.
     """
     damp = gui.add_button("Damp", color="red", hint="the motors damp until Re-arm")
     damp.on_click(lambda _: robot.damp())

@@ -1,4 +1,4 @@
-"""The page: scene, plots and panels of a session, and the thread that refreshes them."""
+"""Page of a session: scene, plots, panels, and the thread that refreshes all of them."""
 
 from __future__ import annotations
 
@@ -24,8 +24,9 @@ from surefoot.tune.live.time_panel import add_time_panel
 from surefoot.tune.live.udp_session import UdpSession
 from surefoot.tune.live.world_panel import add_world_panel
 
-FRAME_PERIOD = 1.0 / 30.0  # [s] between frames
-_PLOT_EVERY, _TEXT_EVERY = 3, 8  # frames between refreshes of plots and of texts
+# Chosen for a person: smooth motion; plots ten times and texts four times a second.
+FRAME_PERIOD = 1.0 / 30.0  # [s] time between two frames
+_PLOT_EVERY, _TEXT_EVERY = 3, 8  # number of frames per refresh of the plots and of the texts
 _RETRY_TIME = 1.0  # [s] until the next frame after an error
 _PLOT_WIDTH, _PANEL_WIDTH = 330, 400  # [pixels]
 
@@ -35,9 +36,9 @@ class Page:
 
     Args:
         server: Server without content.
-        session: The robot; a thread of the page ticks it.
+        session: Session on the robot; a thread of the page ticks the session.
         files: Folder in which gains are saved and loaded.
-        plain: No shadows and reflections, for computers without a GPU.
+        plain: Whether to draw without shadows and reflections, for computers without a GPU.
 
     Attributes:
         loop: Thread that ticks the session.
@@ -81,12 +82,12 @@ class Page:
         self._plots = self._add_plots()
 
     def start(self) -> None:
-        """Start both threads: session and drawing."""
+        """Start both threads: one ticks the session, one draws."""
         self.loop.start()
         self._draw_thread.start()
 
     def check(self) -> None:
-        """Raise Error if a thread of the page has ended by itself."""
+        """Raise Error if a thread of the page has ended without stop()."""
         for thread in (self.loop, self._draw_thread):
             if not thread.is_alive():
                 raise Error(f"thread '{thread.name}' has ended: start surefoot tune live again")

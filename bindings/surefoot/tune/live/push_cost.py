@@ -9,13 +9,14 @@ from surefoot.tune.live.push_score import SCORE_TIME
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.world import World
 
-_STAND_TIME = 1.0  # [s] of standing before the push
+# Chosen: above STILL_TIME of the cost and the time in which the estimator starts, 0.15 s.
+_STAND_TIME = 1.0  # [s] duration of standing before the push
 
 
 def push_cost(
     description: RobotDescription, world: World, gains: Gains, degrees: float, percent: float
 ) -> Cost:
-    """Simulate a push on a standing robot and return its cost.
+    """Simulate a push on a standing robot; return the cost of the run.
 
     Args:
         description: The robot's files.

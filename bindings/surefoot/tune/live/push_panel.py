@@ -1,4 +1,4 @@
-"""Panel of pushes: push the shown robot, or compare the costs of a push with A and B."""
+"""Panel that pushes the shown robot, or compares the costs of a push with the gains A and B."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ class PushPanel:
     """Panel that pushes the simulated robot and shows the cost.
 
     Args:
-        gui: GUI to add the panel to.
+        gui: GUI that gets the panel.
         simulation: The simulated robot.
         post: Function that runs an action in the thread that owns the simulation.
-        notifier: Shows errors.
+        notifier: Notifier that shows errors.
     """
 
     def __init__(

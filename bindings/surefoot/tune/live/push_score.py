@@ -6,7 +6,8 @@ from surefoot.sim import Plant
 from surefoot.tune.cost import Cost, cost
 from surefoot.tune.trace import Trace
 
-SCORE_TIME = 3.0  # [s] after the push begins
+# Chosen: a push of 0.1 s is settled within about 1 s; a slow fall takes longer.
+SCORE_TIME = 3.0  # [s] duration of a score, from the begin of the push
 
 
 class PushScore:
@@ -16,7 +17,7 @@ class PushScore:
         plant: The plant that is pushed.
 
     Attributes:
-        last_cost: Cost of the last push whose three seconds are over; None before.
+        last_cost: Cost of the last push with a complete score; None before the first such push.
     """
 
     def __init__(self, plant: Plant) -> None:
@@ -27,7 +28,7 @@ class PushScore:
 
     @property
     def seconds_left(self) -> float:
-        """Time until the running score is complete [s]; 0 if none is running."""
+        """Time [s] until the running score is complete; 0: no score is running."""
         return SCORE_TIME * self._ticks_left / self._ticks
 
     def begin(self) -> None:

@@ -18,7 +18,7 @@ def add_reference_panel(
     """Add a slider for every axis of the body reference, and a button that zeroes them.
 
     Args:
-        gui: GUI to add the sliders to.
+        gui: GUI that gets the sliders.
         session: Session that receives the reference.
         post: Function that runs an action in the thread that owns the session.
 

@@ -34,7 +34,7 @@ class BodyMesh:
 def body_meshes(model: mujoco.MjModel) -> list[BodyMesh]:
     """Return the meshes of all visible geoms of a model, without the ground.
 
-    Bodies welded together share one frame, so that fewer poses are sent to the browser.
+    Bodies that are welded together share one frame, so that fewer poses are sent to the browser.
     """
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -79,7 +79,10 @@ def _merge_meshes(shapes: list[tuple[Array, Faces]]) -> tuple[Array, Faces]:
 
 
 def _sphere(radius: float, rings: int = 8, sectors: int = 12) -> tuple[Array, Faces]:
-    """Return a sphere as a latitude-longitude grid; each pole has `sectors` equal vertices."""
+    """Return vertices and faces of a sphere, as a latitude-longitude grid.
+
+    Each pole has `sectors` equal vertices.
+    """
     polar = np.linspace(0.0, np.pi, rings + 1)[:, None]
     around = np.linspace(0.0, 2.0 * np.pi, sectors, endpoint=False)[None, :]
     grid = [np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around)]
@@ -92,7 +95,10 @@ def _sphere(radius: float, rings: int = 8, sectors: int = 12) -> tuple[Array, Fa
 
 
 def _box(size: Array) -> tuple[Array, Faces]:
-    """Return a box with half sizes (3,); other primitives are drawn as a box of their sizes."""
+    """Return vertices and faces of a box with half sizes (3,) [m].
+
+    Primitives other than spheres are also drawn as boxes.
+    """
     half = np.where(size > 0.0, size, size[size > 0.0].min())
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * half
     # Two triangles per side, counter-clockwise seen from outside; corner index 4 x + 2 y + z.

@@ -20,10 +20,12 @@ FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
 _MIN_DISPLACEMENT, _MIN_ROTATION = (
     2e-5,
     1e-5,
-)  # [m] and quaternion components: less than a pixel
+)  # [m], [quaternion component] smallest change that is sent: less than a pixel
+# Chosen by eye.
 _REFLECTION_INTENSITY = 0.4  # intensity of the environment map
 _AMBIENT_INTENSITY = 1.2  # intensity of the ambient light, used without environment map
-_MIN_ARROW_FORCE = 1.0  # [N] least force with an arrow
+# Chosen: below the weight of a foot; noise of unloaded feet has no arrow.
+_MIN_ARROW_FORCE = 1.0  # [N] smallest force that is drawn as an arrow
 
 
 class Scene:
@@ -51,7 +53,7 @@ class Scene:
         self._aim_camera()
 
     def show(self, scene_state: SceneState) -> None:
-        """Draw a state; only poses that changed visibly are sent."""
+        """Draw a state; send only those poses that changed visibly."""
         self._data.qpos[:] = scene_state.qpos
         mujoco.mj_kinematics(self._model, self._data)
         with self._server.atomic():
@@ -66,7 +68,10 @@ class Scene:
             self._show_forces(scene_state)
 
     def set_plain(self, plain: bool) -> None:
-        """Switch shadows and reflections off or on: without a GPU they take most of the time."""
+        """Switch shadows and reflections off (`plain`) or on.
+
+        Without a GPU they take most of the drawing time.
+        """
         self._server.scene.configure_default_lights(True, cast_shadow=not plain)
         self._server.scene.configure_environment_map(
             None if plain else "warehouse", environment_intensity=_REFLECTION_INTENSITY
@@ -94,7 +99,7 @@ class Scene:
         starts, colours = scene_state.contact_points[loaded], [FORCE_GREEN] * int(loaded.sum())
         ends = starts + metres_per_newton * scene_state.forces[loaded]
         if scene_state.push is not None:
-            # The tip of the arrow is at the point of attack, moved out of the trunk.
+            # The tip of the arrow is near the point of attack, but outside the trunk.
             force, point = scene_state.push
             tip = point - 0.3 * self._size * force / np.linalg.norm(force)
             starts, ends = (

@@ -15,15 +15,15 @@ class SceneState:
     """State to draw, in world axes; feet are ordered FR FL RR RL.
 
     Attributes:
-        qpos: MuJoCo's generalised positions.
-        contact_points: Lowest points of the feet (4, 3), also without contact [m].
+        qpos: Generalised positions of the MuJoCo model.
+        contact_points: Lowest points of the feet (4, 3) [m], also of feet without contact.
         forces: Forces of the ground on the feet (4, 3) [N].
         contact: True for each loaded foot (4,).
         com: Centre of mass (3,) [m].
         ground: Orientation of the ground, w x y z, ground to world (4,).
         fell: True if the robot has fallen.
         payload_kg: Payload on the trunk [kg].
-        push: Force (3,) [N] and its point of attack (3,) [m], or None.
+        push: Force (3,) [N] and its point of attack (3,) [m]. None: no push acts.
     """
 
     qpos: Array

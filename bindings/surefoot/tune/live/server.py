@@ -33,7 +33,7 @@ def open_server(host: str, port: int, title: str) -> viser.ViserServer:
     # Suppress the box that viser prints on stdout; the command prints the address in one line.
     with contextlib.redirect_stdout(io.StringIO()), _same_origin_only(host, port):
         server = viser.ViserServer(host=host, port=port, label=title, verbose=False)
-    if server.get_port() != port:  # another process took the port; viser then uses the next one
+    if server.get_port() != port:  # another process took the port, so viser uses the next port
         close_server(server)
         raise OSError(f"cannot listen on {host}:{port}: it is in use; choose another --port")
     return server
@@ -47,15 +47,16 @@ def close_server(server: viser.ViserServer) -> None:
 
 @contextlib.contextmanager
 def _same_origin_only(host: str, port: int) -> Iterator[None]:
-    """While a server opens on a loopback address, restrict it to connections from its own page.
+    """Restrict a server that opens inside this context to connections from its own page.
 
-    A browser permits every page to open a WebSocket to this machine, and viser accepts all
-    connections. Without this check, another open web site could change the gains of a robot.
+    This applies only to loopback addresses. A browser lets every page open a WebSocket to this
+    machine, and viser accepts all connections. Without this check, another open web site could
+    change the gains of a robot.
     """
     module: Any = websockets.asyncio.server
     serve = module.serve
     address = ipaddress.ip_address(socket.gethostbyname(host))
-    if not address.is_loopback:  # the names of this machine in the network are unknown
+    if not address.is_loopback:  # the names of this machine in the network are unknown here
         yield
         return
     # Clients other than browsers send no origin; browsers omit port 80.
@@ -70,13 +71,18 @@ def _same_origin_only(host: str, port: int) -> Iterator[None]:
 
 
 def _check_address(host: str, port: int) -> int:
-    """Raise Error or OSError unless the address is free; return the port, chosen if it was 0."""
+    """Return the TCP port, or a free port if `port` is 0.
+
+    Raises:
+        Error: The port is out of range, or the host is not an address of this machine.
+        OSError: The port is in use or not permitted.
+    """
     if not 0 <= port <= 65535:
         raise Error(f"--port: got {port}, expected a number from 0 to 65535")
     if not host:
         raise Error("--bind: got '', expected an IPv4 address of this machine")
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
-        # As the server does: accept a port that another page has just closed.
+        # Accept a port that another page has just closed, as the server does.
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((host, port))

@@ -11,6 +11,7 @@ from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.metric_curves import Curves
 from surefoot.tune.live.scene_state import SceneState
 
+# Chosen: motions that a person sees; the controller stops the body before limits of its reach.
 REFERENCE_RANGES = {
     "x": ("m", -0.08, 0.08),
     "y": ("m", -0.08, 0.08),
@@ -19,19 +20,18 @@ REFERENCE_RANGES = {
     "pitch": ("deg", -20.0, 20.0),
     "yaw": ("deg", -25.0, 25.0),
 }
-"""Ranges of the body reference on the page: unit, least and greatest value, by BodyReference's
-field names."""
+"""Unit, smallest value and largest value on the page, for each field of BodyReference."""
 
 
 class Session(Protocol):
-    """A standing robot whose gains can be edited. One thread at a time may use it.
+    """Standing robot whose gains can be edited. Only one thread at a time may use a session.
 
     Attributes:
         description: The robot's files.
         robot: The controller's model of the robot.
-        editor: Desired gains; the session passes them to the controller.
+        editor: Editor of the desired gains; the session passes these gains to the controller.
         gain_limiter: Limits of the gains for a robot on UDP; None for a simulated robot.
-        scene_state: Present state. It is replaced and never modified, so any thread may read it.
+        scene_state: Present state. Every update replaces the object, so any thread may read it.
         curves: Metrics of the last seconds.
         period: Time that tick() advances [s].
     """

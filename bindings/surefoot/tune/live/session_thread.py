@@ -11,10 +11,12 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.tune.live.session import Session
 
-_SLEEP_TIME = 0.008  # [s] between batches of ticks
-_MAX_LAG = 0.1  # [s] longest lag that is caught up; more is dropped
+# Chosen: four ticks at 500 Hz; short against FRAME_PERIOD of the page, 33 ms.
+_SLEEP_TIME = 0.008  # [s] time between two batches of ticks
+# Chosen: three frames; after a longer stall the simulation does not race.
+_MAX_LAG = 0.1  # [s] longest lag behind the clock that is caught up; the rest is dropped
 _RATE_WINDOW = 1.0  # [s] time over which real_time_factor is measured
-_REPEAT_TIME = 5.0  # [s] in which the same error is not shown twice
+_REPEAT_TIME = 5.0  # [s] shortest time between two notifications of the same error
 
 Action = Callable[[], Any]
 
@@ -22,16 +24,16 @@ Action = Callable[[], Any]
 class SessionThread(threading.Thread):
     """Thread that owns a session: it ticks the session and runs actions between ticks.
 
-    Other threads must not call the session; they post actions.
+    Other threads must not call the session; they call post() instead.
 
     Args:
         session: Session to tick.
         show_error: Called with the error text of a failed action or tick.
 
     Attributes:
-        paused: True to stop the session's time.
+        paused: True while the session's time stands still; may be set.
         speed: Desired ratio of session time to clock time; 1 is real time.
-        real_time_factor: Ratio reached in the last second.
+        real_time_factor: Measured ratio of session time to clock time in the last second.
     """
 
     def __init__(self, session: Session, show_error: Callable[[str], None]) -> None:
@@ -82,7 +84,7 @@ class SessionThread(threading.Thread):
                 self._session.tick()
             self._session.update_view()
         except Exception as problem:  # no error may end this thread
-            # Pause a simulation; the time of a robot on UDP cannot be paused.
+            # Pause only a simulation: the time of a robot on UDP cannot be paused.
             self.paused = self._session.gain_limiter is None
             self._show_problem(problem)
 

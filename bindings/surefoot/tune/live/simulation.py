@@ -18,7 +18,8 @@ from surefoot.tune.live.push_score import PushScore
 from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.world import World
 
-PUSH_DURATION = 0.1  # [s]
+# The duration of the pushes of `surefoot assess`.
+PUSH_DURATION = 0.1  # [s] duration of a push from the page
 
 
 class Simulation:
@@ -26,7 +27,7 @@ class Simulation:
 
     Args:
         description: The robot's files.
-        gains: Initial gains; None: the robot's own.
+        gains: Initial gains. None: the robot's own gains.
         world: Initial world.
 
     Attributes:
@@ -35,7 +36,7 @@ class Simulation:
         controller: The controller; read-only for callers.
         score: Score of the last push.
         plant: The plant; read-only for callers.
-        ticks: Control periods since construction, also over resets.
+        ticks: Number of control periods since construction; a reset does not clear it.
 
     Raises:
         Error: The robot cannot be built or does not stand, or gains are out of range.
@@ -54,7 +55,7 @@ class Simulation:
         self.robot = plant.robot
         self.editor = GainEditor(self.robot.config.gains, gains)
         self.period = 1.0 / self.world.plant_settings().control_rate
-        # _start_stand() sets these for each new stand.
+        # _start_stand() sets these attributes for each new standing run.
         self.plant: Plant
         self.score: PushScore
         self._state: LowState
@@ -126,24 +127,24 @@ class Simulation:
         return impulse
 
     def set_reference(self, values: dict[str, float]) -> None:
-        """Set the body reference, by axis [m, deg]."""
+        """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""
         self._reference = dict(values)
         self.controller.set_body_reference(body_reference(values))
 
     def reset(self) -> None:
-        """Restart the robot standing in its world, with the present gains and reference."""
+        """Restart the standing robot in the present world, with the present gains and reference."""
         self.set_world(self.world)
 
     def set_world(self, world: World) -> None:
-        """Restart the robot in another world; on Error the old world stays."""
+        """Restart the robot in another world; after an Error the old world stays."""
         plant = Plant(self.description, world.plant_settings())
         self.world = world
         self._start_stand(plant, plant.reset())
 
     def apply_requested_world(self) -> None:
-        """Restart the robot in requested_world if it differs from the present world.
+        """Restart the robot in requested_world if requested_world differs from the present world.
 
-        A moving slider requests many worlds; only the last one is built.
+        A moving slider requests many worlds; only the last request is built.
         """
         if self.requested_world != self.world:
             self.set_world(self.requested_world)

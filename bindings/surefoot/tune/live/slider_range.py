@@ -9,8 +9,9 @@ from surefoot._core import GainInfo
 
 ZOOMS = {"x 2": 2.0, "x 4": 4.0, "x 10": 10.0, "x 100": 100.0}
 """Upper ends of sliders as multiples of the robot's own value, by their label on the page."""
-_ZERO_GAIN_REACH = 0.25  # upper end divided by the zoom, for a gain whose own value is zero
-_MIN_STEPS = 100  # least number of steps of a slider
+# Chosen for the page: a slider that a hand can set.
+_ZERO_GAIN_REACH = 0.25  # upper end / zoom, for a gain whose own value is zero
+_MIN_STEPS = 100  # smallest number of steps of a slider
 
 
 @dataclass(frozen=True)
@@ -26,8 +27,8 @@ class SliderRange:
 def slider_range(info: GainInfo, own: float, value: float, zoom: float) -> SliderRange:
     """Return a slider range from the gain's minimum to a multiple of the robot's own value.
 
-    The ranges of gain_table() span up to eight decades, which is too coarse for a slider. A larger
-    zoom gives a larger range; the slider's number box accepts exact values.
+    The ranges in gain_table() span up to eight decades, too much for a slider. A larger zoom gives
+    a larger range. The number box of the slider accepts exact values.
 
     Args:
         info: The gain.
@@ -44,8 +45,9 @@ def rounded_range(low: float, high: float, value: float) -> SliderRange:
     """Return a range whose step is a power of ten and whose lower end is a multiple of the step.
 
     Args:
-        low: Least lower end; it is rounded up to a multiple, but not above `value`.
-        high: Upper end. If it is not above `low`, the range contains only `value`.
+        low: Lower end before rounding. The function rounds it up to a multiple of the step, but not
+            above `value`.
+        high: Upper end. If `high` is not above `low`, the range contains only `value`.
         value: Value that the range must include.
     """
     span = high - low

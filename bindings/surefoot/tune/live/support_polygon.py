@@ -9,8 +9,9 @@ from surefoot.geometry.rotations import Array, matrix_from_wxyz
 from surefoot.tune.live.scene_state import SceneState
 
 BLUE = (40, 110, 220)
+# Chosen for the page: below what a person sees.
 _GROUND_OFFSET = 0.002  # [m] height above the ground, so that the ground does not cover it
-_MIN_DISPLACEMENT = 5e-4  # [m] least motion of a corner that is drawn
+_MIN_DISPLACEMENT = 5e-4  # [m] smallest displacement of a corner that is redrawn
 
 
 class SupportPolygon:

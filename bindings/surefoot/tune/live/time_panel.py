@@ -16,7 +16,7 @@ def add_time_panel(gui: viser.GuiApi, loop: SessionThread, simulation: Simulatio
     """Add the controls.
 
     Args:
-        gui: GUI to add the controls to.
+        gui: GUI that gets the controls.
         loop: Thread that ticks the simulation.
         simulation: Simulation that Reset restarts.
     """

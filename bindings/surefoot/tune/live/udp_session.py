@@ -1,4 +1,4 @@
-"""Session on a robot on UDP; a control process runs the controller and talks over a pipe."""
+"""Session on a robot on UDP: a control process runs the controller, connected by a pipe."""
 
 from __future__ import annotations
 
@@ -29,22 +29,23 @@ from surefoot.tune.live.metric_curves import Curves, TickMetrics
 from surefoot.tune.live.scene_state import SceneState
 
 _NO_METRICS = TickMetrics(0.0, 0.0, 0.0, 0.0, 0.0)
-_START_TIMEOUT, _EXIT_TIMEOUT = 30.0, 5.0  # [s] longest start and end of the control process
+# Chosen: loading a robot takes seconds; the loop damps for 0.2 s at its end.
+_START_TIMEOUT, _EXIT_TIMEOUT = 30.0, 5.0  # [s] longest time for start and end of the process
 
 
 class UdpSession:
-    """Session on a robot with the SDK's UDP frames; a GainLimiter limits its gains.
+    """Session on a robot with the SDK's UDP frames; a GainLimiter limits the gains.
 
     Args:
         description: The robot's files.
         address: Address of the robot.
-        gains: Initial gains, within the ranges of the GainLimiter; None: the robot's own.
+        gains: Initial gains, within the ranges of the GainLimiter. None: the robot's own gains.
 
     Attributes:
         runner_status: Last status of the control process.
 
     Raises:
-        Error: A gain is out of its range, or an error of UdpLink.
+        Error: A gain is out of its range, or UdpLink cannot be opened.
     """
 
     def __init__(
@@ -89,7 +90,7 @@ class UdpSession:
 
     @property
     def active_gains(self) -> Gains:
-        """Copy of the controller's gains, which move towards the desired ones at a limited rate."""
+        """Copy of the controller's gains; they follow the desired gains at a limited rate."""
         return self._active_gains.__copy__()
 
     def tick(self) -> None:
@@ -126,15 +127,15 @@ class UdpSession:
         )
 
     def set_reference(self, values: dict[str, float]) -> None:
-        """Set the body reference, by axis [m, deg]."""
+        """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""
         self._send("reference", values)
 
     def damp(self) -> None:
-        """Damp, latched; callable from any thread."""
+        """Damp the robot until rearm(); callable from any thread."""
         self._send("damp")
 
     def rearm(self) -> None:
-        """Stand again after damping, in the present pose; callable from any thread."""
+        """Let the damped robot stand again, in its present pose; callable from any thread."""
         self._refused = self.runner_status.refused
         self._send("rearm")
 
@@ -147,7 +148,7 @@ class UdpSession:
             self._process.terminate()  # SIGTERM: the process damps and ends
 
     def _start(self) -> None:
-        # Spawn a new interpreter: a fork would copy the sockets of the page and its locks.
+        # Spawn a new interpreter, because a fork would copy the page's sockets and locks.
         context = multiprocessing.get_context("spawn")
         self._pipe, child_pipe = context.Pipe()
         process_args = (

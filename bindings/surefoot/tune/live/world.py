@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from surefoot.sim import PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-CONTROL_RATE = 500.0  # [Hz]
+# The rate of the SDK's examples, dt = 0.002 s.
+CONTROL_RATE = 500.0  # [Hz] ticks per second of the simulated robot
 
 
 @dataclass(frozen=True)
@@ -17,10 +18,11 @@ class World:
     Attributes:
         friction: Friction coefficient between foot and ground.
         payload_kg: Payload on the trunk, unknown to the controller [kg].
-        delay_ms: Delay of commands, beyond the delay of the sensors [ms].
+        delay_ms: Delay of commands, added to the delay of the sensors [ms].
         predicted_ms: Delay that the controller compensates by prediction [ms].
         sensors: "real" or "ideal".
-        foot_force: "robot" (as its TOML states for the real robot), "est", "raw" or "dead".
+        foot_force: "robot" (the robot's TOML states which foot sensors work), "est", "raw" or
+            "dead" (none).
         slope_deg: Slope of the ground, uphill forward [deg].
         seed: Seed of the errors of sensors and motors.
     """
@@ -35,7 +37,7 @@ class World:
     seed: int = 1
 
     def plant_settings(self) -> PlantSettings:
-        """Return the plant settings of this world; raises Error."""
+        """Return the plant settings of this world; raise Error if a value is out of its range."""
         return PlantSettings(
             sensors=self.sensors,
             foot_force=None if self.foot_force == "robot" else self.foot_force,

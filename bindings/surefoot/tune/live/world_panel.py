@@ -20,7 +20,7 @@ def add_world_panel(
     """Add the controls of the world; each change restarts the robot in the new world.
 
     Args:
-        gui: GUI to add the controls to.
+        gui: GUI that gets the controls.
         simulation: The simulation.
         post: Function that runs an action in the thread that owns the simulation.
     """

@@ -1,1 +1,1 @@
-"""Search for gains by simulation; all trials face the same disturbances."""
+"""Search for gains by simulation; all trials have the same disturbances."""

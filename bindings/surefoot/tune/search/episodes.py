@@ -10,14 +10,20 @@ from surefoot.robot.loading import RobotDescription, build_robot, describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim.settings import COARSE_DT
 
+# Derived: FIRST_PUSH_TIME + PUSH_COUNT PUSH_INTERVAL, so that the last push is settled.
 EPISODE_TIME = 6.6  # [s] duration of an episode
-FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s], [s], number of pushes
-PUSH_LIMIT_SHARE = 0.35, 0.8  # impulse in parts of the LIP push limit
-MAX_PAYLOAD_SHARE = 0.2  # greatest payload in parts of the robot's mass
-FRICTION_RANGE = 0.5, 1.0  # friction coefficient of the ground
-MAX_DELAY_STEPS = 8  # greatest additional delay in physics steps
-MOTOR_LAG_RANGE = 0.001, 0.004  # [s]
-JOINT_FRICTION_RANGE = 0.5, 2.0  # factor on the friction of the model
+# Chosen. The first: after the start has settled; the interval: above the time to settle, about 1 s.
+FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s], [s], [pushes]
+# Chosen (docs/tuning-search.md). Below: pushes that all gains survive; above: falls of all gains.
+PUSH_LIMIT_SHARE = 0.35, 0.8  # range of the impulse as a share of the LIP push limit
+# Chosen ranges of robots and grounds (docs/tuning-search.md); no measurement of real ones.
+MAX_PAYLOAD_SHARE = 0.2  # greatest payload as a share of the robot's mass
+FRICTION_RANGE = 0.5, 1.0  # range of the friction coefficient of the ground
+# Chosen: 8 ms, so that the gains keep a margin of delay (git 59a9cea).
+MAX_DELAY_STEPS = 8  # [physics steps] greatest additional delay of commands
+MOTOR_LAG_RANGE = 0.001, 0.004  # [s] range of the time constant of the motor torque
+JOINT_FRICTION_RANGE = 0.5, 2.0  # range of the factor on the joint friction of the model
+# Derived: seeds of a search stay below, so that no episode is used twice.
 FINAL_SEED = 5_000  # first seed of the episodes that choose between the best trials
 HELD_OUT_SEED = 10_000  # first seed of the episodes that only evaluate the result
 
@@ -29,7 +35,7 @@ class Episode:
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
         seed: Seed of sensors, motors, ground, payload and pushes.
-        settings: All other settings of the plant; its seed is not used.
+        settings: All other settings of the plant; settings.seed is not used.
     """
 
     robot: str | tuple[str, str]
@@ -37,7 +43,7 @@ class Episode:
     settings: PlantSettings
 
     def plant(self) -> Plant:
-        """Build the plant with its pushes; raises Error."""
+        """Return the plant with its pushes; raise Error if the robot or a setting is invalid."""
         rng = np.random.default_rng([self.seed, 7])
         description = find_robot(self.robot)
         settings = self._random_settings(rng, build_robot(description).mass)
@@ -67,7 +73,11 @@ class Episode:
 
 
 def find_robot(robot: str | tuple[str, str]) -> RobotDescription:
-    """Find the files of a robot by its name, or by its URDF and TOML; raises Error."""
+    """Find the files of a robot by its name, or by its URDF and TOML.
+
+    Raises:
+        Error: The name is unknown, or a file is missing or invalid.
+    """
     if isinstance(robot, str):
         return describe_robot(robot)
     return describe_robot(urdf=robot[0], config=robot[1])

@@ -1,4 +1,4 @@
-"""Final evaluation: choose the best trial and evaluate gains, on episodes outside the search."""
+"""Final evaluation: choose the best trial, and evaluate gains on episodes outside the search."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from surefoot.tune.search.space import apply_parameters
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool
 
-FINALIST_COUNT = 5  # trials with the lowest cost that are evaluated again
+# Chosen: the best of hundreds is partly lucky; each costs as many runs as a trial.
+FINALIST_COUNT = 5  # number of trials with the lowest cost that are evaluated again
 
 
 def select_best_trial(
@@ -23,16 +24,16 @@ def select_best_trial(
     trials: list[FrozenTrial],
     start: tuple[float, ...],
 ) -> FrozenTrial:
-    """Choose the best trial by the search episodes and as many new episodes.
+    """Choose the best trial from its costs on the search episodes and on as many new episodes.
 
-    The trial with the lowest of hundreds of costs is partly best by chance. So the five trials with
-    the lowest cost are evaluated on new episodes, and both costs are added.
+    Among hundreds of trials, the lowest cost is partly due to chance. So the FINALIST_COUNT trials
+    with the lowest cost are evaluated on new episodes too, and both costs are added.
 
     Args:
         settings: Settings of the search.
         worker_pool: Workers that run the episodes.
         trials: All finished trials.
-        start: Costs of the start, to which costs are relative.
+        start: Costs of the start gains; relative costs refer to these.
 
     Raises:
         Error: No trial could be run.

@@ -28,7 +28,7 @@ class PlotData:
 
     Attributes:
         result: Result of the search.
-        traces: Traces of the first held-out episode with the gains start, own and best, by name.
+        traces: Traces of the first held-out episode, by name of the gains: start, own and best.
     """
 
     result: SearchResult
@@ -39,7 +39,7 @@ COLOURS = {"start": RED, "own": GREY, "best": BLUE}
 
 
 def draw_history(data: PlotData) -> Figure:
-    """Draw the cost of every trial, and the best so far."""
+    """Draw the cost of every trial, and the lowest cost so far."""
     result = data.result
     figure, axes = subplot_grid(len(result.settings.objectives), 1, 3.2)
     for k, (objective, (ax,)) in enumerate(zip(result.settings.objectives, axes, strict=True)):

@@ -23,12 +23,13 @@ from surefoot.tune.search.summary import gains_provenance, summary_text, term_li
 from surefoot.tune.trace import Trace
 
 GAINS = "gains.toml"
-WIDTH, HEIGHT = 400, 300  # [pixels] of the films
-FRAME_PERIOD = 0.08  # [s] between frames of the films
+# Chosen: several films on a page; 12 frames a second, to keep the file small.
+WIDTH, HEIGHT = 400, 300  # [pixels] size of the films
+FRAME_PERIOD = 0.08  # [s] time between two frames of a film
 
 
 def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, command: str) -> Path:
-    """Write a report into a folder and return the path of its page; raises OSError.
+    """Write a report into a folder and return the path of its page; raise OSError on failure.
 
     Args:
         result: Result of the search.
@@ -57,7 +58,10 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
 
 
 def _record_episode(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str | None]:
-    """Run an episode and film it; return its trace and the error of the film, None if none."""
+    """Run an episode and film it if `film` is given.
+
+    Return the trace of the episode, and the error text of the film; None: no error.
+    """
     plant = episode.plant()
     if film is None:
         return simulate_episode(plant, gains), None
@@ -71,7 +75,7 @@ class _Camera:
     """Camera that records frames of a run. A graphics error ends the film, not the run.
 
     Attributes:
-        film_error: Error that ended the film, or None.
+        film_error: Text of the error that ended the film. None: no error.
     """
 
     def __init__(self, plant: Plant) -> None:
@@ -92,7 +96,7 @@ class _Camera:
             self.film_error = f"{type(problem).__name__}: {problem}"
 
     def write(self, film: Path) -> None:
-        """Write the recorded frames as a film; raises OSError."""
+        """Write the recorded frames as a film; raise OSError if writing fails."""
         if self._renderer is not None:
             self._renderer.close()
         if self._pictures and self.film_error is None:

@@ -15,18 +15,20 @@ from surefoot.tune.cost import FALL_COST, Cost, cost
 from surefoot.tune.search.episodes import EPISODE_TIME, Episode
 from surefoot.tune.trace import Trace
 
+# Derived: above the greatest cost of a fall, 3 FALL_COST.
 BROKEN_COST = 4.0 * FALL_COST  # cost of gains that cannot be run
 
 
 @dataclass(frozen=True)
 class TrialJob:
-    """Job for a worker, as plain data that can be sent to another process.
+    """Job for a worker, as picklable values.
 
     Attributes:
         gains: All gains, by name.
         episodes: Episodes to run.
         objectives: One or two of cost.OBJECTIVES.
-        stop_cost: Mean cost of the first objective above which the remaining episodes are skipped.
+        stop_cost: Limit of the first objective's mean cost. Above this limit the remaining episodes
+            are skipped.
     """
 
     gains: dict[str, float]
@@ -40,7 +42,7 @@ class Outcome:
     """Result of a job.
 
     Attributes:
-        costs: Mean cost over all episodes, per objective; skipped episodes count as 0.
+        costs: Mean cost over all episodes, per objective; a skipped episode counts as 0.
         terms: Mean of each cost term over the episodes that were run.
         episodes: Number of episodes that were run.
         falls: Number of episodes with a fall.
@@ -67,8 +69,9 @@ class Outcome:
 def evaluate_trial(job: TrialJob) -> Outcome:
     """Run the episodes of a trial and compute its costs.
 
-    Bad gains do not raise; they have a high cost. The trial stops as soon as its mean cost exceeds
-    `stop_cost` even if all remaining episodes cost 0. Its cost is then this lower bound.
+    Bad gains raise no exception; they get a high cost. The trial stops as soon as its mean cost
+    would exceed job.stop_cost even with a cost of 0 in all remaining episodes. The outcome then has
+    this lower bound as its cost.
 
     Raises:
         Error: An episode cannot be run with any gains.
@@ -113,12 +116,12 @@ def run_episode(
 def simulate_episode(
     plant: Plant, gains: Gains, on_tick: Callable[[int], None] | None = None
 ) -> Trace:
-    """Run an episode on its plant. Without `on_tick`, a fall ends it.
+    """Run an episode on its plant and return the trace. Without `on_tick`, a fall ends the episode.
 
     Args:
-        plant: Plant of Episode.plant(); it is reset.
+        plant: Result of Episode.plant(). The function resets the plant first.
         gains: Gains of the controller.
-        on_tick: Called with the number of each tick after it, also after a fall.
+        on_tick: Called after each tick with its number, also after a fall.
     """
     trace = Trace(plant, episode_ticks(plant))
     controller = StandController(plant.robot, gains)
@@ -140,17 +143,20 @@ def episode_ticks(plant: Plant) -> int:
 
 @functools.lru_cache(maxsize=64)
 def cached_plant(episode: Episode) -> Plant:
-    """Return the plant of an episode, cached: building it takes as long as running the episode."""
+    """Return the plant of an episode from a cache.
+
+    Building a plant takes as long as running its episode.
+    """
     return episode.plant()
 
 
 _EVALUATION_LOCK = (
     threading.Lock()
-)  # trials share the cached plants: one trial at a time per process
+)  # one trial at a time per process, because trials share the cached plants
 
 
 def evaluate_exclusively(job: TrialJob) -> Outcome:
-    """Run evaluate_trial(), one trial at a time per process; raises Error."""
+    """Run evaluate_trial() for one trial at a time per process; raises the same errors."""
     with _EVALUATION_LOCK:
         return evaluate_trial(job)
 

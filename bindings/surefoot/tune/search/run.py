@@ -1,4 +1,4 @@
-"""The search: Optuna proposes gains, workers evaluate them, and Optuna receives the costs."""
+"""Search loop: Optuna proposes gains, workers evaluate them, and Optuna receives the costs."""
 
 from __future__ import annotations
 
@@ -25,20 +25,21 @@ from surefoot.tune.search.trial_journal import (
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool, open_worker_pool
 
-STOP_COST_RATIO = 3.0  # a trial stops if its cost exceeds this times the best cost
+# Chosen. Below: trials that one unlucky episode spoils; above: time for trials that cannot win.
+STOP_COST_RATIO = 3.0  # ratio of a trial's cost to the best cost above which the trial stops
 
 Progress = Callable[[int, int, float], None]
-"""Called as progress(done, total, best): finished trials, all trials, best cost so far."""
+"""Function progress(done, total, best): finished trials, all trials, best cost so far."""
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Gains, and their costs.
+    """Set of gains and its costs.
 
     Attributes:
         gains: The gains.
         held_out: Outcome on the held-out episodes.
-        search_costs: Costs on the search episodes; empty if the gains were no trial.
+        search_costs: Costs on the search episodes; empty if no trial had these gains.
     """
 
     gains: Gains
@@ -53,7 +54,7 @@ class SearchResult:
     Attributes:
         settings: Settings of the search.
         trials: All finished trials, in the order in which they began.
-        start, own, best: Start gains, the robot's own gains, and those of select_best_trial().
+        start, own, best: Start gains, the robot's own gains, and the result of select_best_trial().
         front: Trials of the Pareto front; empty with one objective.
         importance: Importance of each parameter for the cost; empty with too few trials.
         speed: Speed of the rollouts of this process.
@@ -81,7 +82,7 @@ def run_search(
 
     Raises:
         Error: An invalid store, cluster or setting, or an episode that cannot be run.
-        OSError: The store cannot be written; the trials in it are kept.
+        OSError: The store cannot be written. The trials that are in the store stay there.
     """
     with (
         open_trial_journal(settings.store) as storage,
@@ -153,11 +154,11 @@ class _Search:
         trial = self._study.ask(self._distributions)
         self._running_trials[trial.number] = trial
         objectives = self._settings.objectives
-        # With two objectives, a trial with a high cost in one may be good in the other.
+        # With two objectives no trial stops early: the second cost may be low.
         stop_cost = STOP_COST_RATIO * self._best if len(objectives) == 1 else float("inf")
         try:
             gains = apply_parameters(trial.params, self._settings.start)
-        except Error:  # each value is in range, but their combination is invalid
+        except Error:  # the single values are valid, but their combination is not
             self._record_outcome(trial.number, broken(TrialJob({}, (), objectives)))
             return
         queue.put(trial.number, TrialJob(gain_values(gains), self._episodes, objectives, stop_cost))
@@ -176,7 +177,7 @@ class _Search:
             self._progress(self._done, self._settings.trials, self._best)
 
     def speed(self) -> dict[str, float]:
-        """Return the speed of the rollouts of this run, without those of earlier runs."""
+        """Return the speed of this run's rollouts; rollouts of earlier runs do not count."""
         totals, seconds, wall = self._totals, self._totals.cpu_time, self._wall_time
         if seconds <= 0.0 or wall <= 0.0:
             return {}

@@ -10,9 +10,12 @@ from optuna.trial import FrozenTrial
 
 from surefoot.tune.search.settings import SearchSettings
 
-INITIAL_SIGMA = 0.25  # initial step size of CMA-ES, in parts of the logarithmic range
+# Chosen: two steps reach the ends of the range from its middle (docs/tuning-search.md).
+INITIAL_SIGMA = 0.25  # initial step size of CMA-ES as a share of the logarithmic range
+# Chosen: ten generations in the default of 200 trials.
 POPULATION_SIZE = 20  # population of NSGA-II
-MIN_TRIALS = 20  # least number of trials for importance()
+# Chosen: fewer trials than this tell noise from importance badly.
+MIN_TRIALS = 20  # smallest number of trials for importance()
 
 
 def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
@@ -36,12 +39,12 @@ def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
 
 
 def relative_cost(costs: Sequence[float], start: tuple[float, ...]) -> float:
-    """Return the sum of costs relative to those of the start, which ranks two objectives."""
+    """Return the sum of cost / cost of the start gains over the objectives, to rank trials."""
     return sum(cost / max(of, 1e-9) for cost, of in zip(costs, start, strict=True))
 
 
 def rank_trials(trials: list[FrozenTrial], start: tuple[float, ...]) -> list[FrozenTrial]:
-    """Return the trials, lowest relative cost first."""
+    """Return the trials in order of relative cost, lowest first."""
     return sorted(trials, key=lambda trial: relative_cost(trial.values, start))
 
 

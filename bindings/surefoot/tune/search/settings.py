@@ -14,6 +14,7 @@ from surefoot.tune.search.episodes import FINAL_SEED, HELD_OUT_SEED, Episode
 from surefoot.tune.search.space import Parameter, default_space, include_start, task_gains
 
 SAMPLERS = ("cmaes", "tpe", "nsga2", "random")
+# Chosen: more than the cores of a machine; a typing error must not start thousands.
 MAX_JOBS = 256
 
 
@@ -24,17 +25,17 @@ class SearchSettings:
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
         start: Start gains.
-        trials: Total number of trials at the end, including those in the store.
+        trials: Total number of trials at the end, including the trials in the store.
         jobs: Number of processes.
-        cluster: Address of a Dask scheduler, instead of local processes.
-        objectives: One of cost.OBJECTIVES, or two for a Pareto front.
+        cluster: Address of a Dask scheduler. None: local processes run the trials.
+        objectives: One name in cost.OBJECTIVES, or two names for a Pareto front.
         space: Parameters that the search varies.
         episodes: Number of episodes on which each trial is evaluated.
         held_out: Number of episodes with other seeds, on which the result is evaluated.
-        sampler: One of SAMPLERS; None chooses cmaes for one objective, nsga2 for two.
+        sampler: One of SAMPLERS. None: cmaes for one objective, nsga2 for two.
         seed: Seed of the sampler and of the first episode.
         plant: Ground, rates and sensors of the episodes.
-        store: Journal file; None keeps the trials in memory.
+        store: Journal file. None: the trials are kept in memory.
     """
 
     robot: str | tuple[str, str]
@@ -95,7 +96,7 @@ class SearchSettings:
         return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.held_out))
 
     def identity(self) -> dict[str, Any]:
-        """Return the settings that must be equal for a search to resume, as plain data."""
+        """Return the settings that must be equal for a search to resume, as JSON values."""
         return {
             "robot": self.robot if isinstance(self.robot, str) else list(self.robot),
             "start": gain_values(self.start),

@@ -10,8 +10,8 @@ from surefoot.robot.robot_toml import suggest
 
 TWO_PI = 2.0 * math.pi
 
-# Tasks that the search describes by frequency and damping ratio. In kp and kd the good values form
-# a narrow curved valley, which a sampler searches badly.
+# Tasks whose gains the search describes by frequency and damping ratio. In terms of kp and kd, the
+# good values form a narrow curved valley, in which a sampler works badly.
 TASK_GAINS = {
     "sway": ("com_kp_horizontal", "com_kd_horizontal"),
     "height": ("com_kp_vertical", "com_kd_vertical"),
@@ -19,9 +19,11 @@ TASK_GAINS = {
     "yaw": ("base_kp_yaw", "base_kd_yaw"),
     "foot": ("foot_kp", "foot_kd"),
 }
+# Chosen ranges, widened if the initial value is outside (docs/tuning-search.md). Upper ends:
+# below the largest gains, 7.1 Hz for kp = 2000 1/s^2 (foot: larger).
 FREQUENCY_RANGE = 0.3, 6.0  # [Hz] natural frequency of the body's tasks
 FOOT_FREQUENCY_RANGE = 1.0, 11.0  # [Hz] natural frequency of the foot task
-DAMPING_RANGE = 0.2, 2.5  # damping ratio
+DAMPING_RANGE = 0.2, 2.5  # damping ratio of all tasks
 
 
 @dataclass(frozen=True)
@@ -30,8 +32,8 @@ class Parameter:
 
     Attributes:
         name: "sway_frequency", "sway_damping" ..., or the name of a gain.
-        low: Least value, > 0.
-        high: Greatest value.
+        low: Smallest value, above 0.
+        high: Largest value.
         unit: Unit of the value.
     """
 
@@ -53,16 +55,19 @@ class Parameter:
 
 
 def task_gains(name: str) -> tuple[str, str] | None:
-    """Return the stiffness and damping gain of a task's parameter; None for a gain."""
+    """Return the names of the stiffness and damping gains that a task's parameter sets.
+
+    None: the parameter is a gain.
+    """
     task, _, what = name.rpartition("_")
     return TASK_GAINS.get(task) if what in ("frequency", "damping") else None
 
 
 def include_start(parameter: Parameter, start: Gains) -> Parameter:
-    """Return a parameter whose range includes the value of the start gains.
+    """Return the parameter, with its range widened to include its value in the start gains.
 
     Raises:
-        Error: The start value is 0, which is not on a logarithmic scale.
+        Error: The start value is 0, which a logarithmic scale does not have.
     """
     value = replace(parameter, low=0.0, high=math.inf).get(start)
     if not value > 1e-4:
@@ -84,10 +89,10 @@ def default_space() -> list[Parameter]:
 
 
 def parse_parameter(text: str) -> Parameter:
-    """Parse NAME or NAME=LOW:HIGH; NAME is a task's frequency or damping, or a gain.
+    """Parse NAME or NAME=LOW:HIGH. NAME is a task's frequency or damping, or a gain.
 
     Raises:
-        Error: The name is unknown, or the range is not above 0 or not within the gain's range.
+        Error: The name is unknown, or the range is not positive or not within the gain's range.
     """
     name, _, span = text.partition("=")
     known = {parameter.name: parameter for parameter in default_space()}
@@ -122,7 +127,11 @@ def _parse_range(name: str, span: str, limits: object) -> tuple[float, float]:
 
 
 def apply_parameters(values: dict[str, float], start: Gains) -> Gains:
-    """Return `start` with the values of a trial; raises Error if a gain is out of its range."""
+    """Return `start`, changed to the values of a trial (parameter name to value).
+
+    Raises:
+        Error: A gain is out of its range.
+    """
     gains = start.__copy__()
     for name, value in values.items():
         if name in {info.name for info in gain_table()}:

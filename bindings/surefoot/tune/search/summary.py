@@ -47,7 +47,7 @@ def summarise(result: SearchResult) -> dict[str, Any]:
 
 
 def summary_text(s: dict[str, Any]) -> str:
-    """Return a summary of summarise() as text."""
+    """Return the result of summarise() as text."""
     lines = [
         f"{s['robot']}: {s['trials']} trials, {s['failures']} with a fall or broken, "
         f"{s['stopped_early']} stopped early",

@@ -26,10 +26,14 @@ START = "start"  # user attribute of the trial with the start gains
 
 @contextmanager
 def open_trial_journal(path: str | None) -> Iterator[BaseStorage]:
-    """Open a journal file, or keep trials in memory if `path` is None; raises Error, OSError.
+    """Yield the storage of a journal file. None: yield a storage in memory.
 
-    A lock permits one search per file: the next search runs the unfinished trials of a killed
-    search again, and must not take those of a running one.
+    A lock permits only one search per file. A search runs the unfinished trials in its file again,
+    and these must not belong to a search that still runs.
+
+    Raises:
+        Error: The file is not a journal, or another search uses it.
+        OSError: The file cannot be opened.
     """
     logging.getLogger("optuna").setLevel(logging.ERROR)
     if path is None:
@@ -45,7 +49,7 @@ def open_trial_journal(path: str | None) -> Iterator[BaseStorage]:
 
 def _open_journal(path: str) -> BaseStorage:
     _repair_last_line(Path(path))
-    Path(f"{path}.lock").unlink(missing_ok=True)  # left by a search that was killed while writing
+    Path(f"{path}.lock").unlink(missing_ok=True)  # lock of a search that was killed
     try:
         storage = JournalStorage(JournalFileBackend(path, lock_obj=JournalFileOpenLock(path)))
     except (AssertionError, KeyError, TypeError, ValueError) as problem:
@@ -54,7 +58,7 @@ def _open_journal(path: str) -> BaseStorage:
 
 
 def _repair_last_line(path: Path) -> None:
-    """Complete or cut off the last line of a killed search; raise Error at an invalid line."""
+    """Complete or remove the last line of a killed search; raise Error if a line is invalid."""
     content = path.read_bytes()
     whole, _, end = content.rpartition(b"\n")
     for number, line in enumerate(whole.splitlines(), 1):
@@ -90,7 +94,7 @@ def open_or_create_study(storage: BaseStorage, settings: SearchSettings) -> optu
     """Load the study of a store, or create it if the store is empty.
 
     Raises:
-        Error: The store is no store of a search, or of a search with other settings.
+        Error: The store does not belong to a search, or to a search with other settings.
     """
     path, search = settings.store, settings.identity()
     stored = storage.get_all_studies()
@@ -134,7 +138,7 @@ def _check_same_search(path: str | None, stored: dict[str, Any], search: dict[st
 def requeue_interrupted_trials(study: optuna.Study) -> None:
     """Mark the unfinished trials of a killed search as failed, and queue them again."""
     for trial in study.get_trials(deepcopy=False, states=(TrialState.RUNNING,)):
-        # A queued trial stores its values in fixed_params before they are stored one by one.
+        # A queued trial has all its values in fixed_params, but possibly not yet in params.
         values = trial.system_attrs.get("fixed_params", trial.params)
         study.enqueue_trial(values, user_attrs=trial.user_attrs)
         study.tell(trial.number, state=TrialState.FAIL)

@@ -8,15 +8,17 @@ from surefoot._core import Error
 from surefoot.tune.search.rollout import Outcome, TrialJob, broken
 from surefoot.tune.search.worker_pool import WorkerPool
 
-MAX_ATTEMPTS = 3  # attempts of a trial that runs alone; then it counts as broken
-POLL_PERIOD = 2.0  # [s] between checks whether workers exist
+# Chosen: a process may die for other reasons (memory, kill); gains that kill it do so again.
+MAX_ATTEMPTS = 3  # number of attempts alone after which a trial counts as broken
+# Chosen: short against the time to start a worker; an idle scheduler is not loaded.
+POLL_PERIOD = 2.0  # [s] time between two checks whether workers exist
 
 
 class TrialQueue:
     """Queue of running jobs.
 
-    When a worker dies, all running jobs of its pool are lost. The queue runs them again one at a
-    time, so that a job that kills its worker is identified.
+    When a worker dies, all running jobs of its pool are lost. The queue runs these jobs again one
+    at a time, to find the job that kills its worker.
 
     Args:
         worker_pool: Workers that run the jobs.
@@ -36,7 +38,7 @@ class TrialQueue:
             future = self._worker_pool.submit(job)
         except (
             self._worker_pool.worker_death_errors
-        ):  # a worker died since the last check; the futures of running jobs raise too
+        ):  # a worker died since the last check; the futures of all running jobs also raise
             self._worker_pool.restart_workers()
             future = self._worker_pool.submit(job)
         self._pending[future] = number, job
@@ -66,7 +68,7 @@ class TrialQueue:
         return done
 
     def _jobs_are_lost(self) -> bool:
-        """Return whether the running jobs are lost; raises Error if no worker is left."""
+        """Return whether the running jobs are lost; raise Error if no worker is left."""
         try:
             self._worker_pool.check()
         except self._worker_pool.worker_death_errors:
@@ -74,7 +76,7 @@ class TrialQueue:
         return False
 
     def _result(self, future: Future[Outcome]) -> Outcome | None:
-        """Return the outcome of a job, or None if its worker died."""
+        """Return the outcome of a finished job; None if its worker died."""
         try:
             return future.result()
         except self._worker_pool.worker_death_errors:

@@ -1,4 +1,4 @@
-"""Workers that run the trials: processes of this machine, or a Dask cluster."""
+"""Workers that run the trials: processes on this machine, or a Dask cluster."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from surefoot._core import Error
 from surefoot.system.worker_processes import spawn_pool
 from surefoot.tune.search.rollout import Outcome, TrialJob, evaluate_exclusively
 
-CLUSTER_TIMEOUT = 10.0  # [s] to connect to the scheduler and to disconnect
+# Chosen: a slow network answers in less; a wrong address must not hang the command.
+CLUSTER_TIMEOUT = 10.0  # [s] longest time to connect to the scheduler, and to disconnect
 
 
 class WorkerPool(Protocol):
@@ -19,7 +20,7 @@ class WorkerPool(Protocol):
 
     Attributes:
         count: Number of jobs that run at the same time.
-        worker_death_errors: Exceptions of a job's future whose worker has died.
+        worker_death_errors: Exceptions that a job's future raises if its worker has died.
     """
 
     count: int
@@ -32,11 +33,16 @@ class WorkerPool(Protocol):
         """Replace dead workers; running jobs are lost."""
 
     def check(self) -> None:
-        """Raise Error if no worker is left, one of worker_death_errors if running jobs are lost."""
+        """Check the workers.
+
+        Raises:
+            Error: No worker is left.
+            One of worker_death_errors: The running jobs are lost.
+        """
 
 
 class ProcessPool:
-    """Pool of processes of this machine.
+    """Pool of processes on this machine.
 
     Args:
         jobs: Number of processes.
@@ -60,7 +66,8 @@ class ProcessPool:
     def check(self) -> None:
         """Raise BrokenExecutor if a worker has died.
 
-        A job that is submitted while a pool breaks may never finish, so the pool is probed.
+        A job that is submitted while the pool breaks may never finish. So this method probes the
+        pool with a job of its own.
         """
         self._pool.submit(int)
 
@@ -97,7 +104,7 @@ class DaskCluster:
         if self.count == 0:
             self.close()
             raise Error(f"cluster '{address}': got a scheduler without workers, expected some")
-        # If a worker dies, the scheduler runs its job elsewhere, a few times, before this error.
+        # The scheduler raises this error only after several workers died with the same job.
         self.worker_death_errors: tuple[type[BaseException], ...] = (distributed.KilledWorker,)
         self._executor: Any = self._client.get_executor(pure=False)
 
@@ -124,7 +131,11 @@ class DaskCluster:
 
 @contextmanager
 def open_worker_pool(jobs: int, cluster: str | None) -> Iterator[ProcessPool | DaskCluster]:
-    """Yield a ProcessPool, or the DaskCluster at `cluster`, and close it after; raises Error."""
+    """Yield a pool of `jobs` processes, or the DaskCluster at `cluster`; close it at the end.
+
+    Raises:
+        Error: No scheduler answers, or the cluster has no workers.
+    """
     worker_pool = ProcessPool(jobs) if cluster is None else DaskCluster(cluster)
     try:
         yield worker_pool

@@ -8,34 +8,40 @@ namespace surefoot {
 
 namespace {
 
-// Chosen; covered by test_contact.cpp and benchmarks/estimation. docs/estimation.md, Contact.
-// Share of the weight: two sources agree below this. Below: noise and model errors of the torques;
-// above: 0.25, the load of a foot.
+// All values are chosen unless stated; see docs/estimation.md, Contact. Tests: test_contact.cpp,
+// benchmarks/estimation. Votes range from -1 (off the ground) to 1 (loaded).
+// Difference of two loads, as a share of the weight, below which their sources agree. Below: noise
+// and model errors of the torques; above: 0.25, the load of a foot.
 constexpr double kMaxLoadDifference = 0.15;
-// [s] of contradiction before footForceEst is excluded. Equal to ForceSourceCheck's.
+// [s] Duration of a contradiction after which footForceEst is excluded. Equal to kDetectionTime of
+// ForceSourceCheck.
 constexpr double kDetectionTime = 0.3;
-constexpr double kRecoveryRate = 0.25;  // speed of its recovery, relative to that of detection
-// [s] Without force votes before forces are unavailable. Below: the pauses of kDetectionTime;
-// above: a foot whose sensors are dead stays out of contact.
+// Rate at which the contradiction time falls, relative to the rate at which it rises.
+constexpr double kRecoveryRate = 0.25;
+// [s] Time without a vote of any force source after which forces are unavailable. Below: pauses of
+// kDetectionTime; above: a foot whose sensors are dead stays out of contact.
 constexpr double kNoForceTime = 0.5;
-// [m/s] A loaded foot does not move this fast for long. Below: twice slip_speed (0.15); above: a
-// swing.
+// [m/s] Speed above which the motion of a foot votes against contact. Below: twice slip_speed
+// (0.15); above: the speed of a swing.
 constexpr double kMovingSpeed = 0.3;
-constexpr double kRestSpeed = 0.1;  // [m/s] a slower foot is at rest: below slip_speed (0.15)
-// [m] A loaded foot rises less. Below: soft ground gives way by as much; above: the lift of a foot
-// is detected at twice this.
+// [m/s] Speed below which a foot is at rest: below slip_speed (0.15).
+constexpr double kRestSpeed = 0.1;
+// [m] Clearance above which the motion of a foot votes against contact; at twice this clearance the
+// vote is -1. Below: a loaded foot rises as much on soft ground; above: a lift is detected late.
 constexpr double kClearanceThreshold = 0.006;
-constexpr double kSlideVote = 0.33;  // vote of a fast foot, weak: a loaded foot may slide
-// A rising foot is off the ground, whatever force it carries: more than one source (1), not more
-// than two.
+// Size of the vote of a fast foot against contact: weak, because a loaded foot may slide.
+constexpr double kSlideVote = 0.33;
+// Weight of the motion of a foot. A rising foot is off the ground, whatever force it carries: the
+// weight is above that of one source (1) and not above that of two.
 constexpr double kMotionWeight = 2.0;
-// Weight of torques that match the accelerometer: above 1 it breaks a tie, by 0.06, slowly.
+// Weight of torques that match the accelerometer. Above 1, so that a tie of two sources becomes a
+// mean vote of 0.06: the confidence then changes slowly.
 constexpr double kBalancedWeight = 1.12;
-constexpr double kConfirmingVote = 0.5;  // vote with which a source confirms footForceEst
-// Smallest mean vote that changes the confidence: below the 0.06 by which kBalancedWeight breaks a
-// tie.
+constexpr double kConfirmingVote = 0.5;  // size above which a vote confirms footForceEst
+// Mean vote above which the confidence changes: below 0.06, the mean vote of a tie (see above).
 constexpr double kMinAgreement = 0.04;
-// Derived: full speed at a mean vote of 1/3, two sources of three.
+// Speed of the confidence per mean vote. Derived: full speed when two of three sources agree, which
+// is a mean vote of 1/3.
 constexpr double kAgreementGain = 3.0;
 
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
@@ -43,15 +49,16 @@ constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
 constexpr int kNoSlip = static_cast<int>(ContactSource::kNoSlip);
 
-// A foot at rest is no evidence of contact: it may rest in the air.
+// Return the evidence of the motion of a foot: only votes against contact. A foot at rest is no
+// evidence of contact, because a foot may be at rest in the air.
 ContactEvidence motion_evidence(double speed, double clearance) noexcept {
   const double risen = std::clamp(clearance / kClearanceThreshold - 1.0, 0.0, 1.0);
   return {-std::max(speed > kMovingSpeed ? kSlideVote : 0.0, risen), SensorVerdict::kGood};
 }
 
-// Return whether footForceEst and footForce of a foot count as one source: both show no load and
-// are constant while the torques show load. That is one common failure, or a foot in the air that
-// presses against something; not two independent measurements.
+// Return whether footForceEst and footForce of a foot count as one source: both are constant and
+// show no load, while the torques show load. Both fields then have one common cause: they failed
+// together, or the foot is in the air and its leg presses against something.
 bool fields_fail_together(const ContactEvidence& est, bool est_unchanged,
                           const ContactEvidence& count, bool count_unchanged,
                           const ContactEvidence& tau) noexcept {
@@ -80,8 +87,8 @@ void ContactConfidence::update(const Gains& gains, const ContactSignals& all, do
     foot.evidence[kNoSlip] = motion_evidence(signals.speed[leg], signals.clearance[leg]);
     const ContactEvidence& est = foot.evidence[kEst] =
         foot_force_est_evidence(gains, signals, leg, dt);
-    // The torques calibrate footForce; without torques, footForceEst does. While both are available
-    // and contradict each other, the calibration pauses.
+    // Torques calibrate footForce; without torques, footForceEst calibrates it. While torques and
+    // footForceEst contradict each other, the calibration pauses.
     const bool newtons = est.verdict == SensorVerdict::kGood;
     const double est_load = signals.foot_force_est[leg] / weight_;
     const double known_load = newtons && !torques ? est_load : load;
@@ -101,8 +108,11 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
   const double tau_load = torques ? signals.torque_load[leg] : NAN;
   const double load = signals.foot_force_est[leg] / weight_;
   SensorVerdict verdict = foot.est_stuck.update(signals.foot_force_est[leg], tau_load, dt);
-  // An external lift of a foot loads the leg like the ground does. So torques alone do not refute a
-  // footForceEst that footForce or the rise of the foot confirms.
+  // An external lift of a foot loads the leg as the ground does. So torques alone do not refute
+  // footForceEst if footForce or a rise of the foot confirms it.
+  // `far`, chosen: for large loads the limit is half of the load, because torques have scale
+  // errors. `opposite`: footForceEst shows a clear load (twice the threshold), but the torques show
+  // a pull.
   const bool far =
       std::abs(load - tau_load) > std::max(kMaxLoadDifference, 0.5 * std::abs(tau_load));
   const bool opposite = load > 2.0 * gains.contact_force_on && tau_load < 0.0;
@@ -150,7 +160,7 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
     if (std::abs(agreement) > kMinAgreement)
       rate = std::clamp(kAgreementGain * agreement, -1.0, 1.0);
   } else if (!force_available && signals.speed[leg] < kRestSpeed) {
-    rate = 0.5;  // only evidence: the foot rests. Assume contact, slowly
+    rate = 0.5;  // the foot is at rest, and no source votes: assume contact, but slowly
   }
   const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
   confidence_[leg] = std::clamp(confidence_[leg] + rate * step, 0.0, 1.0);

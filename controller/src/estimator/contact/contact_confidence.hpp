@@ -8,32 +8,34 @@ namespace surefoot {
 
 /// Measurements of one tick that show the contact of the feet.
 struct ContactSignals {
-  Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();  ///< normal force / weight, by torques
+  Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();  ///< load / weight, from joint torques
   SensorVerdict tau_est = SensorVerdict::kGood;           ///< verdict on the joint torques
   std::array<std::int16_t, kLegs> foot_force_est{};       ///< [N]
   std::array<std::int16_t, kLegs> foot_force{};           ///< [counts]
-  Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] see excess_speed()
+  Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] SlipDetector::excess_speed()
   Eigen::Vector4d clearance = Eigen::Vector4d::Zero();    ///< [m] see FootClearance
-  /// Vertical specific force / g: sum of the loads / weight of a robot on its feet.
+  /// Vertical specific force / g. For a robot on its feet it equals the sum of all loads / weight.
   double load_factor = 1.0;
 };
 
 /// Contact confidence of each foot, fused from all working contact sources.
 ///
 /// Each source votes from -1 (off the ground) to 1 (loaded). The confidence integrates the weighted
-/// mean vote; when all agree it moves from 0 to 1 within the gain contact_dwell. So a single wrong
-/// sample changes it by one step only, and two sources that contradict each other leave it
-/// unchanged. Torques have a slightly larger weight while their sum matches the accelerometer; this
-/// breaks ties, slowly. Real-time: yes.
+/// mean vote. When all sources agree, the confidence moves from 0 to 1 within the gain
+/// contact_dwell. So a single wrong sample changes the confidence by one step only, and two sources
+/// that contradict each other leave it unchanged. While the sum of the torque loads matches the
+/// accelerometer, torques have a slightly larger weight, which decides ties slowly. Real-time: yes.
 class ContactConfidence {
  public:
+  /// @param weight weight of the robot [N]
   explicit ContactConfidence(double weight) : weight_(weight) {}
 
   /// Process one tick.
   void update(const Gains& gains, const ContactSignals& signals, double dt) noexcept;
 
   const Eigen::Vector4d& confidence() const noexcept { return confidence_; }
-  /// Whether the force sources alone show each foot as loaded; true if none is available.
+  /// True for each foot that the force sources alone show as loaded, or that no force source
+  /// measures.
   const std::array<bool, kLegs>& loaded_by_forces() const noexcept { return loaded_by_forces_; }
   bool foot_force_est_works() const noexcept { return force_check_.foot_force_est_works(); }
   /// Write verdicts and votes to a report.
@@ -46,7 +48,8 @@ class ContactConfidence {
     std::array<ContactEvidence, kContactSources> evidence{};
     StuckDetector est_stuck;
     FootForceCalibration calibration;
-    double contradiction_time = 0.0;  // [s] footForceEst against torques, leaky
+    // [s] Rises while footForceEst and torques contradict each other, falls otherwise.
+    double contradiction_time = 0.0;
     bool loaded = true;
     double no_force_time =
         std::numeric_limits<double>::infinity();  // [s] since the last force vote

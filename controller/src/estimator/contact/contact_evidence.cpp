@@ -8,13 +8,15 @@
 namespace surefoot {
 
 namespace {
-// [s] A shorter constant value is no fault. Chosen. Below: 0.022 s of a 50 Hz sensor; above: a
-// contact that is lost by a stuck source.
+// [s] Duration of a constant value above which it can be a fault. Chosen. Below: 0.022 s of a 50 Hz
+// sensor; above: a stuck source hides that a foot loses contact.
 constexpr double kStuckTime = 0.1;
-// Share of the weight: load change that must be visible. Chosen. Below: contact_force_on (0.07),
-// noise of the torques; above: 0.25, the load of a foot.
+// Load change, as a share of the weight, above which a working sensor must change its value.
+// Chosen. Below: contact_force_on (0.07), noise of the torques; above: 0.25, the load of a foot.
 constexpr double kMinLoadChange = 0.1;
-constexpr int kSaturation = 32000;  // [counts] derived: just below the range of int16, 32767
+// [counts] Size of a value from which it counts as saturated. Derived: just below 32767, the range
+// of int16.
+constexpr int kSaturation = 32000;
 }  // namespace
 
 double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept {

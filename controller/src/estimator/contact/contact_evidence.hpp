@@ -12,27 +12,28 @@ struct ContactEvidence {
   SensorVerdict verdict = SensorVerdict::kUnjudged;
 };
 
-/// Convert a load to a vote: tanh((load - threshold) / max(width, load_sigma)). Real-time: yes.
-/// @param load normal force, share of the robot's weight
-/// @param load_sigma standard deviation of load
-/// @param loaded present contact state, which selects the threshold (hysteresis)
+/// Convert a load to a vote, -1 .. 1: tanh((load - threshold) / max(width, load_sigma)). Threshold
+/// and width are gains (contact_force_*). Real-time: yes.
+/// @param load normal force of the foot, as a share of the robot's weight
+/// @param load_sigma standard deviation of `load`
+/// @param loaded present contact state, selects contact_force_off or contact_force_on (hysteresis)
 double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept;
 
 /// Detects an integer sensor that is zero, stuck, or at the end of its range.
 ///
-/// A constant value is no fault while the load is constant. It is a fault once another source has
-/// shown a load change of more than 10 % of the weight meanwhile. Real-time: yes.
+/// A constant value is a fault only if another source has shown a load change of more than 10 % of
+/// the weight in the same time. Real-time: yes.
 class StuckDetector {
  public:
   /// Process one sample and return the verdict.
-  /// @param load share of the weight by another source, NaN if there is none
+  /// @param load load from another source, as a share of the weight; NaN: no other source
   SensorVerdict update(int value, double load, double dt) noexcept;
   /// Return whether the value has been constant for longer than a working sensor's noise allows.
   bool is_unchanged() const noexcept { return unchanged_time_ > kMinUnchangedTime; }
 
  private:
-  // [s] See is_unchanged(). Chosen: more than one period at 500 Hz, less than two; a working
-  // sensor's noise changes every sample.
+  // [s] See is_unchanged(). Chosen: two repeated samples at 500 Hz; noise changes a working
+  // sensor's count more often.
   static constexpr double kMinUnchangedTime = 0.003;
   int last_ = 0;
   bool started_ = false, ever_nonzero_ = false;

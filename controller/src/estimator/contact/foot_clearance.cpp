@@ -6,23 +6,27 @@
 namespace surefoot {
 
 namespace {
-// Chosen; covered by test_contact.cpp. Bounds below and above:
-// [m/s] A slower foot is at rest. Velocity noise of the joints; a foot that is lifted.
+// All values are chosen. Test: test_contact.cpp.
+// [m/s] Speed below which a foot is at rest. Below: velocity noise of the joints; above: a foot
+// that is lifted.
 constexpr double kRestSpeed = 0.03;
-// Motion reduces the time of rest this much faster. One noisy sample must not; 50 ms of motion
-// must.
+// Rate at which the rest time falls during motion, relative to the rate at which it rises at rest.
+// Below: 50 ms of motion must clear 1 s; above: one noisy sample must not.
 constexpr double kRestTimeDecay = 20.0;
-// [s] No foot is lifted and put down faster. Wrong samples (contact_dwell, 10 ms); a step.
+// [s] Time without load after which a foot loses its stance height. Below: wrong samples
+// (contact_dwell, 10 ms); above: a step.
 constexpr double kMinSwingTime = 0.03;
-// [s] Three feet must be loaded this long to form a plane. Bounces at touchdown; delay of the vote.
+// [s] Time for which three feet must be loaded before they form a plane. Below: bounces at
+// touchdown; above: delay of the vote.
 constexpr double kLandingTime = 0.05;
-// [s] of rest before the stance height follows the foot. A foot that a person holds; drift of
-// height.
+// [s] Rest time after which the stance height follows the foot. Below: a foot that a person holds;
+// above: drift of the height.
 constexpr double kNewStanceTime = 1.0;
-// [s] Time constant of following. Vibration; it is reached soon after kNewStanceTime.
+// [s] Time constant with which the stance height then follows. Below: vibration; above:
+// kNewStanceTime.
 constexpr double kFollowTime = 0.2;
-constexpr double kStanceConfidence =
-    0.5;  // contact confidence of a stance foot: more likely than not
+// Contact confidence above which a foot counts as standing: more likely than not.
+constexpr double kStanceConfidence = 0.5;
 }  // namespace
 
 void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filter,
@@ -30,19 +34,21 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
                            const std::array<bool, kLegs>& loaded, const Vector3& normal,
                            double dt) noexcept {
   // The height estimate of a falling robot drifts while its feet touch down one after the other. So
-  // stance heights follow the loaded feet until three of them form a plane.
+  // the stance heights follow the loaded feet until three loaded feet form a plane.
   const bool plane = std::count(loaded.begin(), loaded.end(), true) >= 3;
   plane_time_ = plane ? plane_time_ + dt : 0.0;
   const bool landing = plane_time_ < kLandingTime;
   Eigen::Vector4d height_change;
   for (int leg = 0; leg < kLegs; ++leg) {
-    // The dynamics have the base at the origin, and filter.p() is the IMU point. The offset between
-    // the two is treated as constant: only differences of heights are used.
+    // The dynamics have the base at the origin, and filter.p() is the IMU point. The height of the
+    // IMU point above the base is taken as constant, because only height differences are used.
     const double height = normal.dot(dynamics.legs()[leg].p_world_contact) + normal.dot(filter.p());
-    // An unloaded foot loses its stance height and gets a new one when it is next loaded.
+    // An unloaded foot loses its stance height and gets a new one when the foot is next loaded.
     unloaded_time_[leg] = loaded[leg] ? 0.0 : unloaded_time_[leg] + dt;
     if (unloaded_time_[leg] > kMinSwingTime) stance_height_[leg] = NAN;
     if ((landing || std::isnan(stance_height_[leg])) && loaded[leg]) stance_height_[leg] = height;
+    // The bound of the rest time is chosen so that 25 ms of motion bring the rest time below
+    // kNewStanceTime (0.5 kNewStanceTime / kRestTimeDecay).
     const bool rests = v_contact.col(leg).norm() < kRestSpeed && loaded[leg];
     rest_time_[leg] = std::clamp(rest_time_[leg] + (rests ? dt : -kRestTimeDecay * dt), 0.0,
                                  1.5 * kNewStanceTime);
@@ -50,9 +56,10 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
       stance_height_[leg] += dt / (dt + kFollowTime) * (height - stance_height_[leg]);
     height_change[leg] = std::isnan(stance_height_[leg]) ? 0.0 : height - stance_height_[leg];
   }
-  // Height above the plane of the other three feet: errors of base tilt and height cancel there.
-  // The mean is a lower bound of the plane's height, because a rise of the diagonal foot lowers the
-  // plane here by as much and would look like a rise of this foot.
+  // Clearance is the height above the plane of the three other feet, where errors of base tilt and
+  // height cancel. A rise of the diagonal foot lowers this plane below the present foot by the same
+  // amount, and would look like a rise of this foot. So the plane is not taken below the mean
+  // height change of the three feet.
   for (int leg = 0; leg < kLegs; ++leg) {
     const int lateral = lateral_neighbor(leg), longitudinal = longitudinal_neighbor(leg),
               opposite = diagonal_leg(leg);
@@ -61,7 +68,7 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
     const double plane_height =
         height_change[lateral] + height_change[longitudinal] - height_change[opposite];
     const double mean = (height_change.sum() - height_change[leg]) / 3.0;
-    // Unless all other feet stand, the last clearance is kept.
+    // The last clearance is kept while one of the three other feet does not stand.
     if (landing || std::isnan(stance_height_[leg])) {
       clearance_[leg] = 0.0;
     } else if (others_stand) {

@@ -7,30 +7,33 @@
 namespace surefoot {
 
 namespace {
-// Fit of counts = offset + scale load. Chosen; covered by test_contact.cpp. Bounds below and above:
-// [s] Low-pass, so that noise does not count as a load change. Single samples; a step.
+// Fit of counts = offset + scale load. All values are chosen. Test: test_contact.cpp.
+// [s] Time constant of the low-pass, so that noise does not count as a load change. Below: single
+// samples; above: a step.
 constexpr double kFilterTime = 0.02;
-// [s] Time constant of the offset. Load changes; drift of counts by the minute.
+// [s] Time constant of the offset. Below: load changes; above: drift of the counts within a minute.
 constexpr double kOffsetTime = 5.0;
-constexpr double kNoiseSamples = 500.0;  // samples over which the noise is averaged: 1 s at 500 Hz
-// [s] of changing load: time constant of the scale. Noise of the fit; drift.
+constexpr double kNoiseSamples = 500.0;  // number of samples in the noise average: 1 s at 500 Hz
+// [s] Time constant of the scale; only time with changing load counts. Below: noise of the fit;
+// above: drift.
 constexpr double kScaleTime = 2.0;
-// Share of the weight: smaller load changes are ignored. Noise of the torques; contact_force_off,
-// 0.06.
+// Load change, as a share of the weight, below which the scale is not updated. Below: noise of the
+// torques; above: contact_force_off, 0.06.
 constexpr double kMinLoadChange = 0.04;
-constexpr double kMinFitTime =
-    0.1;  // [s] of changing load before the fit is used: five kFilterTime
-// r^2 of a good fit, and of counts that do not follow the load; in between the verdict is
-// kUnjudged.
+// [s] Time with changing load after which the fit is used: five times kFilterTime.
+constexpr double kMinFitTime = 0.1;
+// Coefficient of determination r^2 above which the fit is good, and below which the counts do not
+// follow the load. Between the two the verdict is kUnjudged.
 constexpr double kMinExplained = 0.5;
 constexpr double kMaxUncorrelated = 0.2;
-constexpr double kRangeTime = 10.0;  // [s] with which the range shrinks: twice kOffsetTime
-// Smallest range: in standard deviations of the noise (4 to either side) and in counts
-// (quantisation).
+// [s] Time constant with which the range shrinks: twice kOffsetTime.
+constexpr double kRangeTime = 10.0;
+// Smallest range that gives a load: in standard deviations of the noise (4 to either side), and in
+// counts (quantisation).
 constexpr double kRangeNoise = 8.0;
 constexpr double kMinRange = 5.0;
-// Share of the weight assumed at the top of the range. Between a foot that stands (0.25) and one
-// that stands with its diagonal alone (0.5).
+// Load assumed at the top of the range, as a share of the weight: between a foot of four stance
+// feet (0.25) and a foot that stands only with its diagonal foot (0.5).
 constexpr double kLoadAtMaxCount = 0.4;
 }  // namespace
 
@@ -61,7 +64,8 @@ ContactEvidence FootForceCalibration::update(const Gains& gains, int count, doub
   return out;
 }
 
-// Use differences of new values only: a sensor slower than the samples repeats its last value.
+// Update the noise variance from the difference of two counts. Equal counts are skipped, because a
+// sensor that is slower than the samples repeats its last value.
 void FootForceCalibration::measure_noise(double count) noexcept {
   if (count == last_count_) return;
   samples_ = std::min(samples_ + 1.0, kNoiseSamples);
@@ -96,12 +100,14 @@ SensorVerdict FootForceCalibration::fit_verdict() const noexcept {
   const double explained = covariance_ * covariance_ / (spread_load_ * spread_count_ + 1e-12);
   if (scale_ > 0.0 && explained > kMinExplained) return SensorVerdict::kGood;
   if (explained > kMaxUncorrelated && scale_ > 0.0) return SensorVerdict::kUnjudged;
+  // Constant: counts change by less than two standard deviations of their noise (1 count at least).
   return spread_count_ < 4.0 * fit_time_ * (noise_ + 1.0) ? SensorVerdict::kConstant
                                                           : SensorVerdict::kDisagrees;
 }
 
-// Both ends of the range move slowly towards the present count, so that drift cannot widen it for
-// ever.
+// Return the load, as a share of the weight, from the position of a count in the observed range;
+// NaN while the range is too small. Both ends of the range move slowly towards the present count,
+// so that drift cannot widen the range for ever.
 double FootForceCalibration::load_by_range(double count, double dt) noexcept {
   const double blend = dt / (dt + kRangeTime);
   min_count_ = std::min(count, min_count_ + blend * (count - min_count_));

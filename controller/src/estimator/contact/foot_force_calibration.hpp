@@ -7,17 +7,18 @@ namespace surefoot {
 
 /// Online calibration of one foot's footForce, whose offset and scale are unknown and drift.
 ///
-/// The model is count = offset + scale load + noise. Where another source gives the load, a
+/// The model is count = offset + scale load + noise. While another source measures the load, a
 /// least-squares line with exponential forgetting gives offset and scale; the scale is updated only
 /// while the load changes. Until this fit is good, or without another source, the observed range of
-/// counts gives the load: zero at its bottom. Counts that do not follow the load are excluded.
-/// Real-time: yes.
+/// counts gives the load; the bottom of the range is zero load. If the counts do not follow the
+/// load, the sensor has no vote. Real-time: yes.
 class FootForceCalibration {
  public:
   /// Process one sample and return the evidence.
-  /// @param load share of the weight by another source, NaN if there is none
+  /// @param count footForce of the foot
+  /// @param load load from another source, as a share of the weight; NaN: no other source
   /// @param load_reliable true if the load may be used for calibration
-  /// @param loaded present contact state, for hysteresis
+  /// @param loaded present contact state of the foot, for hysteresis
   ContactEvidence update(const Gains& gains, int count, double load, bool load_reliable,
                          bool loaded, double dt) noexcept;
 
@@ -35,11 +36,11 @@ class FootForceCalibration {
   StuckDetector stuck_;
   bool started_ = false;
   double last_count_ = 0.0;
-  double noise_ = 0.0;  // [counts^2] variance of a sample
+  double noise_ = 0.0;  // [counts^2] variance of the noise of one sample
   double samples_ = 0.0;
   double smooth_count_ = 0.0, smooth_load_ = 0.0;
   double mean_count_ = 0.0, mean_load_ = 0.0;
-  // Sums of the fit, over times with changing load only.
+  // Sums of the fit, over the time with changing load only.
   double fit_time_ = 0.0, spread_load_ = 0.0, spread_count_ = 0.0, covariance_ = 0.0;
   double scale_ = 0.0;
   double min_count_ = 0.0, max_count_ = 0.0;  // [counts]

@@ -7,19 +7,22 @@
 namespace surefoot {
 
 namespace {
-// [s] Before footForceEst counts as working, or as failed. Chosen. Below: impacts and stray samples
-// (test_stray_count_does_not_revive_a_dead_foot_force); above: contact by a dead source.
+// [s] Duration of a contradiction after which footForceEst changes between working and failed.
+// Chosen. Below: impacts and stray samples (test_stray_count_does_not_revive_a_dead_foot_force);
+// above: a dead source decides about contact.
 constexpr double kSwitchTime = 0.1;
-// Shares of the weight, chosen: standing feet carry 1, lifted feet 0, and a dead sensor shows 0.
-constexpr double kUnloadedShare = 0.25;  // a smaller footForceEst contradicts a loaded robot
-constexpr double kSupportedShare = 0.5;  // a larger load shows that the feet carry the robot
-constexpr double kMaxLoad = 2.0;         // larger loads do not occur in standing
-// Shares of the load that the accelerometer implies. Chosen: one foot carries a quarter; between
-// the two values the check keeps its verdict.
-constexpr double kBalanceTolerance = 0.25;  // largest error of a source that matches
-constexpr double kTorqueErrorShare = 0.5;   // smallest error of wrong torques
-// [s] Before torques count as wrong, or as right again. Chosen. Below: a push, 0.1 s, during which
-// torques and accelerometer differ; above: contact by wrong torques.
+// Sums of the loads, as shares of the weight. Chosen: the sum is 1 for a standing robot, and 0 for
+// a lifted robot or a dead sensor.
+constexpr double kUnloadedShare = 0.25;  // below: footForceEst shows no load
+constexpr double kSupportedShare = 0.5;  // above: the feet carry the robot
+constexpr double kMaxLoad = 2.0;         // above: the sum does not occur in standing
+// Errors of a sum, as shares of the load that the accelerometer implies. Chosen: one foot carries a
+// quarter. Between the two values the sum is neither right nor wrong.
+constexpr double kBalanceTolerance = 0.25;  // below: the sum matches the accelerometer
+constexpr double kTorqueErrorShare = 0.5;   // above: the torques are wrong
+// [s] Duration of an error after which torques count as wrong; they count as right again after the
+// same time without error. Chosen. Below: a push of 0.1 s, during which torques and accelerometer
+// differ; above: wrong torques decide about contact.
 constexpr double kDetectionTime = 0.3;
 }  // namespace
 

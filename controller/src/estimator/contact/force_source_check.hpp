@@ -7,18 +7,19 @@ namespace surefoot {
 
 /// Sums of the loads over all feet, as shares of the weight.
 struct ForceSums {
-  double est = 0.0;          ///< of footForceEst
-  double torque = 0.0;       ///< of the normal forces from joint torques
-  double load_factor = 1.0;  ///< vertical specific force / g: the load expected in contact
+  double est = 0.0;          ///< sum of footForceEst
+  double torque = 0.0;       ///< sum of the normal forces computed from the joint torques
+  double load_factor = 1.0;  ///< vertical specific force / g: expected sum for a robot on its feet
   bool torques = true;       ///< true if torques are available
 };
 
-/// Checks the sums of footForceEst and of the torques against each other and the accelerometer.
+/// Compares the load sums of footForceEst and of the torques with each other and with the
+/// accelerometer.
 ///
-/// footForceEst counts as working once it has shown a load on the feet that the torques confirm;
-/// without torques, a plausible share of the weight suffices. Torques are wrong if they miss the
-/// load that the accelerometer implies while footForceEst matches it. In the air all sums are zero
-/// and no verdict changes. Real-time: yes.
+/// footForceEst works once it has shown a load on the feet that the torques confirm; without
+/// torques, a plausible share of the weight is enough. Torques are wrong if footForceEst matches
+/// the load that the accelerometer implies and the torques do not. In the air all sums are zero, so
+/// no verdict changes. Real-time: yes.
 class ForceSourceCheck {
  public:
   /// Process one tick.
@@ -32,7 +33,7 @@ class ForceSourceCheck {
  private:
   bool foot_force_est_alive_ = false, torques_wrong_ = false, torques_balance_ = false;
   double est_contradiction_time_ = 0.0;  // [s] sums against foot_force_est_alive_
-  double torque_error_time_ = 0.0;       // [s] leaky
+  double torque_error_time_ = 0.0;       // [s] rises while the torques are wrong, falls otherwise
 };
 
 }  // namespace surefoot

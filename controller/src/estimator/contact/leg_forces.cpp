@@ -6,11 +6,11 @@
 namespace surefoot {
 
 namespace {
-// [N] Larger results come from a singular leg and are ignored. Chosen: 17 times the weight of b1 in
-// the order of magnitude; no foot of a standing robot carries that.
+// [N] Force above which a result is ignored, because the leg is singular. Chosen: far above any
+// robot's weight.
 constexpr double kMaxForce = 1e4;
-// [rad] A joint closer to its stop may rest on it. Not zero: stops are elastic. Chosen; an a1
-// lifted by 28 cm reaches its stops (CHANGELOG); above: it excludes poses near a limit.
+// [rad] Distance to a stop below which a joint may rest on this stop. Chosen. Below: the elastic
+// deflection of a stop; above: standing poses near a limit, where the force is then unknown.
 constexpr double kStopMargin = 0.03;
 }  // namespace
 
@@ -35,7 +35,7 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     residual += blend * (unfiltered - residual);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
-    Vector3 tau_contact = L.M_leg * ddq - residual;  // J^T f plus torques of stops
+    Vector3 tau_contact = L.M_leg * ddq - residual;  // J^T f plus the torques of the stops
     tau_contact =
         (stops.segment<3>(3 * leg).array() * tau_contact.array() < 0.0).select(0.0, tau_contact);
     const Vector3 force = L.J_leg.transpose().inverse() * tau_contact;

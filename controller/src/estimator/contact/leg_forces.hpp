@@ -5,20 +5,22 @@
 
 namespace surefoot {
 
-/// Return the stop that each joint may rest on: 1 upper, -1 lower, 0 none. SDK motor order.
+/// Return for each joint the stop on which it may rest: 1 upper, -1 lower, 0 none. SDK motor order.
+/// @param q joint angles, SDK motor order [rad]
 Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 
 /// Contact force on each foot from the joint torques of its leg.
 ///
-/// Solves the leg's rows of the equations of motion, f = -J^-T (tau - h - M_lb a_b - M_l q''). A
-/// first-order filter turns q'' into a difference of velocities. This is the generalised-momentum
-/// observer (De Luca, Mattone 2003) for a leg whose base acceleration the IMU measures. It needs no
-/// joint accelerations and lags by kFilterTime.
+/// Solves the leg's rows of the equations of motion for the force:
+///   f = -J^-T (tau - h - M_bl^T a_b - M_l ddq), with M_bl = LegDynamics::M_base_leg.
+/// A first-order filter replaces ddq by a difference of velocities. This is the
+/// generalised-momentum observer (De Luca, Mattone 2003) for a leg whose base acceleration the IMU
+/// measures. The observer needs no joint accelerations, and its forces lag by kFilterTime.
 ///
 /// Torque that a joint may exert against its own stop is not attributed to the ground. Otherwise
-/// the legs of a lifted robot, extended to their stops by their weight, could stay in false
-/// contact: the controller presses a presumed stance leg onto its stops, and that torque looks like
-/// contact force. Real-time: yes.
+/// the legs of a lifted robot, which their weight extends to the stops, could stay in false
+/// contact: the controller would press a presumed stance leg onto its stops, and this torque would
+/// look like contact force. Real-time: yes.
 class LegForces {
  public:
   /// [s] Time constant of the momentum observer (De Luca, Mattone 2003). Chosen. Below: encoder
@@ -27,10 +29,11 @@ class LegForces {
   static constexpr double kFilterTime = 0.005;
 
   /// Process one tick.
-  /// @param dynamics updated with the angular velocity of the base and without linear velocity
+  /// @param dynamics dynamics at the angular velocity of the base and zero linear velocity
   /// @param a_base classical acceleration of the base origin without gravity, base axes [m/s^2]
-  /// @param alpha_base [rad/s^2] base axes
-  /// @param tau_est,dq [N.m], [rad/s] SDK motor order
+  /// @param alpha_base angular acceleration of the base, base axes [rad/s^2]
+  /// @param tau_est joint torques, SDK motor order [N.m]
+  /// @param dq joint velocities, SDK motor order [rad/s]
   /// @param stops result of joint_stops()
   void update(const Dynamics& dynamics, const Vector3& a_base, const Vector3& alpha_base,
               const Vector12& tau_est, const Vector12& dq, const Vector12& stops,
@@ -43,7 +46,7 @@ class LegForces {
 
  private:
   bool started_ = false;
-  Vector12 residual_ = Vector12::Zero();     // tau - h - M_lb a_b, filtered [N.m]
+  Vector12 residual_ = Vector12::Zero();     // tau - h - M_bl^T a_b, filtered [N.m]
   Vector12 dq_filtered_ = Vector12::Zero();  // filtered [rad/s]
   FeetMatrix forces_ = FeetMatrix::Zero();
 };

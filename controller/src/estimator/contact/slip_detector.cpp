@@ -7,27 +7,28 @@
 namespace surefoot {
 
 namespace {
-// Chosen times; docs/estimation.md, Slip; covered by test_contact.cpp.
-// [s] Low-pass of the velocities. Below: encoder noise; above: kDetectionTime.
+// All values are chosen; see docs/estimation.md, Slip. Test: test_contact.cpp.
+// [s] Time constant of the low-pass of the velocities. Below: encoder noise; above: kDetectionTime.
 constexpr double kFilterTime = 0.01;
-// [s] After touchdown, in which a foot may still move. Below: contact_dwell, 10 ms; above: the
-// robot relies on the friction of a foot that slips.
+// [s] Time after touchdown in which a moving foot does not count as slipping. Below: contact_dwell,
+// 10 ms; above: the robot relies on the friction of a foot that slips.
 constexpr double kSettlingTime = 0.03;
-// [s] of slipping in which slip() rises from 0 to 1. Below: single samples; above: a foot at
-// slip_speed moves by 3 mm in it.
+// [s] Duration of slipping in which slip() rises from 0 to 1. Below: single samples; above: at
+// slip_speed a foot moves by 3 mm in this time.
 constexpr double kDetectionTime = 0.02;
-// [s] without slipping in which it falls from 1 to 0. Below: friction that returns within a push
-// slips again; above: the robot needs the friction for the next push.
+// [s] Duration without slipping in which slip() falls from 1 to 0. Below: if the friction returns
+// within the same push, the foot slips again; above: the robot needs the friction for the next
+// push.
 constexpr double kRecoveryTime = 0.5;
-constexpr double kLoadedConfidence =
-    0.5;  // contact confidence of a loaded foot: more likely than not
+// Contact confidence above which a foot counts as loaded: more likely than not.
+constexpr double kLoadedConfidence = 0.5;
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
                           const Eigen::Vector4d& contact, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const bool loaded = contact[leg] > kLoadedConfidence;
-    // The velocity of the swing must not count as slip, so the low-pass restarts at touchdown.
+    // The velocity of a swing must not count as slip, so the low-pass restarts at touchdown.
     if (loaded && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v_contact.col(leg);
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
     stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;

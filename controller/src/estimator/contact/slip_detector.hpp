@@ -8,13 +8,13 @@ namespace surefoot {
 
 /// Detects loaded feet that move along the ground.
 ///
-/// Speeds count relative to the slowest loaded foot, because a speed that all feet share is an
-/// error of the base velocity. Real-time: yes.
+/// The detector uses the speed of each foot minus the speed of the slowest loaded foot, because a
+/// common speed of all feet is an error of the base velocity. Real-time: yes.
 class SlipDetector {
  public:
   /// Process one tick.
   /// @param v_contact velocities of the contact points, world axes [m/s]
-  /// @param contact contact confidence per foot
+  /// @param contact contact confidence per foot, 0 .. 1
   void update(const Gains& gains, const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
               double dt) noexcept;
 
@@ -24,7 +24,8 @@ class SlipDetector {
   const Eigen::Vector4d& speed() const noexcept { return speed_; }
   /// Velocities of the contact points, low-pass filtered, world axes [m/s].
   const FeetMatrix& velocity() const noexcept { return v_filtered_; }
-  /// Speeds beyond that of the slowest loaded foot [m/s]; 0 while no foot is loaded.
+  /// Speed of each foot minus the speed of the slowest loaded foot [m/s], at least 0; 0 while no
+  /// foot is loaded.
   const Eigen::Vector4d& excess_speed() const noexcept { return excess_speed_; }
   /// Compute the share of the friction coefficient that each foot may use, 0 .. 1.
   Eigen::Vector4d friction(const Gains& gains) const noexcept {

@@ -4,11 +4,12 @@
 namespace surefoot {
 
 namespace {
-// [s] of a constant tauEst while other fields change. Chosen as kStuckTime in contact_evidence.cpp.
+// [s] Duration of a constant tauEst, while other fields change, above which its verdict is
+// kConstant. Chosen: equal to kStuckTime in contact_evidence.cpp.
 constexpr double kStuckTime = 0.1;
 }  // namespace
 
-// Twelve torques of exactly zero mean that the robot does not fill the field.
+// If all twelve torques are exactly zero, the robot does not fill the field tauEst.
 void TorqueCheck::update(const Vector12& tau_est, bool others_changed, double dt) noexcept {
   const bool unchanged = tau_est == last_tau_;
   unchanged_time_ = unchanged ? unchanged_time_ + (others_changed ? dt : 0.0) : 0.0;

@@ -5,7 +5,8 @@
 
 namespace surefoot {
 
-/// Checks whether the samples contain joint torques, and whether these change. Real-time: yes.
+/// Checks whether the samples contain joint torques, and whether the torques change.
+/// Real-time: yes.
 class TorqueCheck {
  public:
   /// Process one sample.
@@ -16,7 +17,7 @@ class TorqueCheck {
 
  private:
   Vector12 last_tau_ = Vector12::Constant(NAN);
-  double unchanged_time_ = 0.0;  // [s]
+  double unchanged_time_ = 0.0;  // [s] time with constant torques while other fields changed
   SensorVerdict verdict_ = SensorVerdict::kGood;
 };
 

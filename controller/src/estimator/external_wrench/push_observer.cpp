@@ -6,19 +6,22 @@
 namespace surefoot {
 
 namespace {
-// [push_dead_band] Innovations up to this level (1.5 m/s^2 by default) are noise and model errors.
-// Chosen, with the next two, by pushes from 16 directions (git a0e3774): go1 97.5 -> 100 % of its
-// limit.
+// In units of the gain push_dead_band: innovation below which it is noise or a model error, 1.5
+// m/s^2 by default. This constant and the next two are chosen with pushes from 16 directions (git
+// a0e3774): a go1 survived 100 % instead of 97.5 % of its limit.
 constexpr double kNoiseLevel = 3.0;
-constexpr double kFastLevel = 1.0;  // [push_dead_band] excess that halves the time constant
-// [push_time] Shortest time constant, 6 ms by default. Measured: at 4 ms the torques of a b1
-// exceeded the supervisor's rate (git e0f1814); above 1 it has no effect. One wrong sample counts
-// by a quarter.
+// In units of push_dead_band: excess over kNoiseLevel at which the time constant is halved.
+constexpr double kFastLevel = 1.0;
+// In units of push_time: shortest time constant, 6 ms by default. Measured: at 4 ms the torques of
+// a b1 exceeded the supervisor's limit of torque rate (git e0f1814). Above: at 1 the time constant
+// is never shortened. At 500 Hz the estimate follows one wrong sample by a quarter.
 constexpr double kMinTimeScale = 3.0 / 8.0;
-// [s] Longest time of large innovations with a shorter time constant: both ends of a push.
-// Measured: without a bound, a body with 16 ms of unknown delay swayed for ever (git ff9d8bc).
+// [s] Longest total time of large innovations in which the time constant is shortened: long enough
+// for start and end of a push. Measured: without this bound, a body with an unknown delay of 16 ms
+// swayed for ever (git ff9d8bc).
 constexpr double kMaxInnovationTime = 0.05;
-// [s/s] Recovery of that time afterwards. Derived: kMaxInnovationTime in 1 s.
+// [s/s] Rate at which the counted time falls without large innovations. Derived:
+// kMaxInnovationTime in 1 s.
 constexpr double kInnovationTimeDecay = 0.05;
 }  // namespace
 
@@ -33,9 +36,10 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
   filtered_.z() += dt / (dt + gains.push_time) * innovation.z();
 }
 
-// Compute the time constant as a share of push_time. Persistent large innovations are the body's
-// own sway, when the actual delay exceeds the configured one; a short time constant would sustain
-// that oscillation. The same holds for a lifted robot, whose feet cannot exert the planned forces.
+// Compute the time constant as a share of push_time. If the actual delay exceeds the configured
+// delay, the body can sway, with large innovations that persist. A short time constant would
+// sustain this oscillation, so it is used only for a short time. It is not used at all while the
+// robot is lifted: the feet then cannot exert the planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,
                                 double dt) noexcept {
   const double excess = innovation_norm - kNoiseLevel * gains.push_dead_band;

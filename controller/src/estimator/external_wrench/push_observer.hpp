@@ -8,14 +8,15 @@ namespace surefoot {
 
 /// Observer of a push: external force F = m (a_measured - a_feet) on the body.
 ///
-/// a_feet is the acceleration that the contact forces were planned to cause: a_planned less the
-/// push that the plan took into account. The difference passes a first-order low-pass, a dead band
-/// against noise and small model errors, and a bound. While the feet carry the robot, large
-/// horizontal innovations shorten the time constant, for 50 ms at most: the first 10 ms of a push
-/// decide whether it is survived. Real-time: update() yes.
+/// a_feet is the acceleration that the planned contact forces cause: a_planned - F_planned / m,
+/// with F_planned the push that the plan includes. The difference passes a first-order low-pass, a
+/// dead band against noise and small model errors, and a bound. While the feet carry the robot,
+/// large horizontal innovations shorten the time constant for at most 50 ms, because the first
+/// 10 ms of a push decide whether the robot survives it. Real-time: update() yes.
 ///
-/// Without this observer the controller reacts only after a push has moved the body. The legs of
-/// unloaded feet, whose motion is planned for a body at rest, would be dragged along.
+/// Without this observer the controller would react only after a push has moved the body. Also, the
+/// QP would plan the motion of unloaded legs for a body that the push does not accelerate, and
+/// these legs would lag behind the body.
 class PushObserver {
  public:
   /// Process one tick.
@@ -23,7 +24,8 @@ class PushObserver {
   /// @param supported true if the feet carry the robot
   void update(const Gains& gains, const Vector3& unexplained, bool supported, double dt) noexcept;
 
-  /// Compute the acceleration by the push, after dead band and bound, world axes [m/s^2].
+  /// Compute the acceleration of the body that the push causes, after dead band and bound, world
+  /// axes [m/s^2].
   Vector3 acceleration(const Gains& gains) const noexcept;
 
   void reset() noexcept { *this = PushObserver(); }
@@ -31,8 +33,8 @@ class PushObserver {
  private:
   double time_scale(const Gains& gains, double innovation_norm, bool supported, double dt) noexcept;
 
-  Vector3 filtered_ = Vector3::Zero();
-  double innovation_time_ = 0.0;  // [s] of large innovations, leaky
+  Vector3 filtered_ = Vector3::Zero();  // [m/s^2] low-pass of `unexplained`
+  double innovation_time_ = 0.0;        // [s] time of large innovations; falls slowly without them
 };
 
 }  // namespace surefoot

@@ -32,7 +32,8 @@ void ErrorCovariance::transpose() noexcept {
   }
 }
 
-// Compute P Phi' in place, column by column. Columns that others still need are changed last.
+// Compute P Phi^T in place, column by column. A column is changed only after all columns that need
+// its old value.
 void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexcept {
   const double dt = motion.dt, gravity_dt = kGravity * dt;
   const double* const gyroscope[] = {P_[kGyroscopeBias], P_[kGyroscopeBias + 1],
@@ -42,7 +43,7 @@ void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexce
     const double* const v = P_[kVelocity + k];
     for (int i = 0; i < kPaddedSize; ++i) p[i] += dt * v[i];
   }
-  // Gravity rotated by the rotation error: g x xi, with g along -z.
+  // Effect of the rotation error on the velocity: g x xi_R, with gravity g along -z.
   for (int i = 0; i < kPaddedSize; ++i) {
     P_[kVelocity][i] += gravity_dt * P_[kRotation + 1][i];
     P_[kVelocity + 1][i] -= gravity_dt * P_[kRotation][i];
@@ -70,8 +71,8 @@ void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexce
 }
 
 // Gyroscope noise affects the error on the group exactly as an error of the gyroscope bias does. So
-// its variance is added to that of the bias for the propagation, and its effect on the bias rows is
-// removed afterwards.
+// the variance of this noise is added to the variance of the bias before the propagation. Its
+// effect on the bias rows is removed afterwards.
 void ErrorCovariance::propagate(const ErrorPropagation& motion) noexcept {
   fill_upper_triangle();
   for (int k = 0; k < 3; ++k) P_[kGyroscopeBias + k][kGyroscopeBias + k] += motion.rate_variance;
@@ -105,7 +106,7 @@ void ErrorCovariance::project(int leg, const Vector3& lever, Columns& out) const
     for (int i = d; i < kPaddedSize; ++i) out[k][i] = P_[p][i] - P_[d][i];
   }
   for (int i = 0; i < kPaddedSize; ++i) {
-    Vector3 turn;  // row i of the rotation columns
+    Vector3 turn;  // entries of row i in the three rotation columns
     for (int j = 0; j < 3; ++j) turn[j] = i >= j ? P_[kRotation + j][i] : P_[i][kRotation + j];
     const Vector3 moved = turn.cross(lever);
     for (int k = 0; k < 3; ++k) out[k][i] += moved[k];

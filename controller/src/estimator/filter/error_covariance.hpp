@@ -10,55 +10,59 @@ namespace error_index {
 constexpr int kRotation = 0;
 constexpr int kVelocity = 3;
 constexpr int kPosition = 6;
-constexpr int kFeet = 9;  ///< three per foot
+constexpr int kFeet = 9;  ///< three entries per foot
 constexpr int kGyroscopeBias = 21;
 constexpr int kAccelerometerBias = 24;
 constexpr int kSize = 27;
-constexpr int kGroupSize = kGyroscopeBias;  ///< size of the part on the group; the biases follow
+constexpr int kGroupSize = kGyroscopeBias;  ///< number of entries on the group, before the biases
 }  // namespace error_index
 
-/// Propagation of the error over one tick: xi' = Phi xi + noise.
+/// Propagation of the error over one tick: xi_next = Phi xi + noise.
 struct ErrorPropagation {
   /// Derivative of the error on the group by the angular rate: [R; v x R; p x R; d x R] dt.
   Eigen::Matrix<double, error_index::kGroupSize, 3> rate_jacobian;
-  Matrix3 force_jacobian;                     ///< R dt: velocity by specific force
+  Matrix3 force_jacobian;                     ///< R dt: derivative of velocity by specific force
   double dt = 0.0;                            ///< [s]
-  double rate_variance = 0.0;                 ///< [rad^2/s^2] of the gyroscope over this tick
-  double force_variance = 0.0;                ///< [m^2/s^4] of the accelerometer over this tick
-  Eigen::Vector4d foot_variance;              ///< [m^2] by motion of each contact point
-  double gyroscope_drift_variance = 0.0;      ///< [rad^2/s^2] of the bias in this tick
-  double accelerometer_drift_variance = 0.0;  ///< [m^2/s^4]
-  double accelerometer_bias_decay = 1.0;      ///< share of the bias that remains
-  Vector3 up_base = Vector3::UnitZ();         ///< vertical, base axes
-  double vertical_drift_variance = 0.0;       ///< [m^2/s^4] additional, along up_base
+  double rate_variance = 0.0;                 ///< [rad^2/s^2] gyroscope noise of this tick
+  double force_variance = 0.0;                ///< [m^2/s^4] accelerometer noise of this tick
+  Eigen::Vector4d foot_variance;              ///< [m^2] process noise of each contact point
+  double gyroscope_drift_variance = 0.0;      ///< [rad^2/s^2] process noise of the gyroscope bias
+  double accelerometer_drift_variance = 0.0;  ///< [m^2/s^4] process noise of the accelerometer bias
+  double accelerometer_bias_decay = 1.0;      ///< share of the bias that remains after the tick
+  Vector3 up_base = Vector3::UnitZ();         ///< vertical, base axes, unit length
+  /// [m^2/s^4] Additional process noise of the accelerometer bias along up_base.
+  double vertical_drift_variance = 0.0;
 };
 
 /// Covariance P of the filter's error, shape (27, 27).
 ///
-/// Only the lower triangle is stored. propagate() and correct() take most of the estimator's time,
-/// so they run mostly in loops of constant length over padded columns. Real-time: yes.
+/// Only the lower triangle is valid between calls: P_[j][i] is row i of column j, for i >= j.
+/// propagate() and correct() need most of the estimator's time, so most of their loops have
+/// constant length and run over padded columns. Real-time: yes.
 class ErrorCovariance {
  public:
-  static constexpr int kPaddedSize = 28;  // even, so that columns consist of whole SIMD vectors
+  static constexpr int kPaddedSize = 28;  // even: a column then consists of whole SIMD vectors
   using Columns = double[3][kPaddedSize];
 
   ErrorCovariance();
 
   double operator()(int i, int j) const noexcept { return i < j ? P_[i][j] : P_[j][i]; }
-  /// Set `count` variances from index `first` on, and the covariances of these errors to zero.
+  /// Set the variances of `count` errors, from index `first`, and set their covariances to zero.
   void set_variance(int first, int count, double variance) noexcept;
+  /// Add to the variances of `count` errors, from index `first`.
   void add_variance(int first, int count, double variance) noexcept;
 
-  /// Propagate over one tick: P = Phi P Phi' + Q.
+  /// Propagate over one tick: P_next = Phi P Phi^T + Q.
   void propagate(const ErrorPropagation& motion) noexcept;
 
-  /// Compute P H' for the measurement of a foot, H xi = xi_p - xi_d + xi_R x lever.
-  /// @param lever [m] world axes @param out shape (kSize, 3), by columns
+  /// Compute P H^T for the measurement of a foot, with H xi = xi_p - xi_d + xi_R x lever.
+  /// @param lever vector from the contact point to the centre of the foot, world axes [m]
+  /// @param out P H^T, shape (kSize, 3), stored by columns
   void project(int leg, const Vector3& lever, Columns& out) const noexcept;
 
   /// Update with a measurement z = H xi + noise of variance R, in the expanded Joseph form:
-  /// (I - K H) P (I - K H)' + K R K' = P - K M' - M K', with M = W - K S / 2, W = P H',
-  /// S = H P H' + R. The result is symmetric, and correct also for an inexact gain K.
+  /// (I - K H) P (I - K H)^T + K R K^T = P - K M^T - M K^T, with M = W - K S / 2, W = P H^T,
+  /// S = H P H^T + R. The result is symmetric, and it is correct even if the gain K is inexact.
   void correct(const Columns& W, const Columns& K, const Matrix3& S) noexcept;
 
  private:
@@ -66,7 +70,7 @@ class ErrorCovariance {
   void fill_upper_triangle() noexcept;
   void transpose() noexcept;
 
-  alignas(16) double P_[kPaddedSize][kPaddedSize];  // by columns
+  alignas(16) double P_[kPaddedSize][kPaddedSize];  // stored by columns
 };
 
 }  // namespace surefoot

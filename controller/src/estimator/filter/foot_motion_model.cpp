@@ -7,17 +7,19 @@
 namespace surefoot {
 
 namespace {
-// [s] Low-pass against encoder noise. Chosen. Below: some samples at 500 Hz; above: kSwingTime.
+// [s] Time constant of the low-pass against encoder noise. Chosen. Below: some samples at 500 Hz;
+// above: kSwingTime.
 constexpr double kFilterTime = 0.01;
-// [s] Sample period that the noise gains refer to, by convention 500 Hz.
+// [s] Sample period to which the noise gains refer. Convention: 500 Hz.
 constexpr double kNoisePeriod = 0.002;
-// Assumed speed of a foot off the ground. Chosen so large that this foot has no weight in the
-// filter: against 0.0005 m/s (noise_foot_slip) of a stance foot.
-constexpr double kSwingSpeed = 3.0;  // [m/s]
-constexpr double kSwingShare = 3.0;  // additional multiple of its speed relative to the base
-constexpr double kSwingTime = 0.1;   // [s] for which this speed persists
-// Less loaded feet slide easily. Chosen (git 1c1a73e). Share of the weight: half of
-// contact_force_off (0.06), at which contact ends; evenly loaded feet carry 0.25.
+// Assumed speed of a foot off the ground: kSwingSpeed [m/s] plus kSwingShare times its speed
+// relative to the base, for kSwingTime [s]. Chosen so large that such a foot has no weight in the
+// filter; the speed of a stance foot is 0.0005 m/s (noise_foot_slip).
+constexpr double kSwingSpeed = 3.0;
+constexpr double kSwingShare = 3.0;
+constexpr double kSwingTime = 0.1;
+// Load, as a share of the weight, that reduces kUnloadedSpeed by a factor e. Chosen (git
+// 1c1a73e): half of contact_force_off (0.06), at which contact ends; at rest a foot carries 0.25.
 constexpr double kUnloadedShare = 0.03;
 constexpr double kUnloadedSpeed = 0.5;  // [m/s] slip speed of a foot without load
 }  // namespace

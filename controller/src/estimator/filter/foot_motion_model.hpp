@@ -8,40 +8,43 @@ namespace surefoot {
 
 /// Contact state of the feet, which determines their process noise in the filter.
 struct FootContactState {
-  Eigen::Vector4d contact;           ///< contact confidence, 0 .. 1
-  Eigen::Vector4d load;              ///< share of the weight, by torques; 1 without torques
-  Eigen::Vector4d slip;              ///< [m/s] slip confidence times speed of the contact point
-  std::array<bool, kLegs> rejected;  ///< rejected by the innovation gate
+  Eigen::Vector4d contact;  ///< contact confidence, 0 .. 1
+  Eigen::Vector4d load;     ///< load from torques, as a share of the weight; 1: no valid torques
+  Eigen::Vector4d slip;     ///< [m/s] slip confidence times speed of the contact point
+  std::array<bool, kLegs> rejected;  ///< true: the innovation gate rejected the foot
 };
 
-/// Motion of the contact points between ticks: displacement by rolling of the spherical feet, which
-/// is known, and process noise for slip and swing, which is not. Real-time: yes.
+/// Motion of the contact points between ticks: the known displacement by rolling of the spherical
+/// feet, and process noise for the unknown motion by slip and swing. Real-time: yes.
 class FootMotionModel {
  public:
   /// Update the velocities of the feet relative to the base.
   void update_velocity(const Dynamics& dynamics, double dt) noexcept;
 
-  /// Compute the displacement [m] of each contact point by rolling since the last call, world axes:
-  /// rotation of the shank x lever, times the contact confidence.
+  /// Compute the displacement of each contact point by rolling since the last call: (rotation of
+  /// the shank) x lever, times the contact confidence.
   ///
-  /// The rotation comes from joint angles. Joint velocities are too noisy: jitter of the contact
-  /// points makes the filter's tilt and accelerometer bias drift. The base rotates over dt, the
-  /// joints since the last call; the first call returns zero.
-  /// @param q joint angles, SDK order [rad]
-  /// @param lever [m] from a contact point to the centre of its foot, world axes
+  /// The rotation of the shank is the rotation of the base over dt plus the change of the joint
+  /// angles since the last call. Joint velocities are not used: their noise would move the contact
+  /// points, and the filter's tilt and accelerometer bias would drift.
+  /// @param q joint angles, SDK motor order [rad]
+  /// @param contact contact confidence per foot, 0 .. 1
+  /// @param lever vector from a contact point to the centre of its foot, world axes [m]
+  /// @return displacements FR FL RR RL, world axes [m]; zero in the first call
   FeetMatrix rolling_displacement(const Dynamics& dynamics, const Vector12& q,
                                   const Eigen::Vector4d& contact, const Vector3& lever,
                                   double dt) noexcept;
 
-  /// Compute the process noise [m^2] of each contact point over dt. It is large for feet that are
-  /// off the ground, slip, or were rejected, and grows as the load of a foot falls.
+  /// Compute the process noise of each contact point over dt: variance of one coordinate [m^2]. The
+  /// noise is large for feet that are off the ground, slip, or were rejected; it increases when the
+  /// load of a foot decreases.
   Eigen::Vector4d process_variance(const Gains& gains, const FootContactState& feet,
                                    double dt) const noexcept;
 
   void reset() noexcept { *this = FootMotionModel(); }
 
  private:
-  Vector12 last_q_ = Vector12::Zero();  // [rad] in the last call
+  Vector12 last_q_ = Vector12::Zero();  // [rad] joint angles of the last call
   bool has_last_q_ = false;
   FeetMatrix v_ = FeetMatrix::Zero();  // [m/s] relative to the base, filtered
 };

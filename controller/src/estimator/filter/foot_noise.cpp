@@ -7,18 +7,20 @@
 namespace surefoot {
 
 namespace {
-// Noise by the size of the innovations: Mehra 1970. The values are chosen:
-// [s] Time constant of the decay without innovations. Below: ten samples at 500 Hz; above: an
-// impact.
+// The method is from Mehra 1970; the values are chosen unless stated.
+// [s] Time constant with which the variance decays without innovations. Below: ten samples at 500
+// Hz; above: duration of an impact.
 constexpr double kTimeConstant = 0.02;
-// Times the dimension: larger innovations are clipped. Derived: the square of five standard
-// deviations.
+// Largest normalised innovation squared that counts, in units of its dimension. Derived: the square
+// of five standard deviations.
 constexpr double kMaxNisRatio = 25.0;
-constexpr double kMaxLogChange = 1.0;  // one sample changes the variance by e = 2.7 times at most
-// [m] Lower bound. Derived: quantisation noise of encoder steps of 3e-5 rad at 0.2 m, 6e-6 /
-// sqrt(12).
+// Largest change of log(variance) by one sample: a factor of e = 2.7.
+constexpr double kMaxLogChange = 1.0;
+// [m] Lower bound of the standard deviation. Derived: quantisation noise of encoder steps of 3e-5
+// rad at 0.2 m, 6e-6 / sqrt(12).
 constexpr double kMinSigma = 2e-6;
-constexpr double kMaxSigma = 0.02;  // [m] upper bound; derived: ten times noise_foot_position
+// [m] Upper bound of the standard deviation. Derived: ten times noise_foot_position.
+constexpr double kMaxSigma = 0.02;
 }  // namespace
 
 void FootNoise::reset(const Gains& gains) noexcept {
@@ -29,7 +31,8 @@ void FootNoise::update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predic
                        const std::array<bool, kLegs>& stance, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!stance[leg]) continue;
-    // While the predicted variance dominates, innovations tell little about the measurement noise.
+    // If the predicted variance dominates, innovations contain little information about the
+    // measurement noise.
     const double share = variance_[leg] / (variance_[leg] + predicted_variance[leg]);
     const double excess = std::min(nis[leg] / 3.0, kMaxNisRatio) - 1.0;
     const double growth =

@@ -8,13 +8,15 @@ namespace surefoot {
 
 /// Adaptive measurement noise of the foot positions.
 ///
-/// Encoders, leg flexibility and soft soles make the foot position from joint angles inaccurate,
-/// and no data sheet gives the error. So the variance of a foot grows exponentially while its
-/// normalised innovation squared is above its dimension, and decays while it is below. An initial
-/// value that is wrong by orders of magnitude is corrected in a fraction of a second. This is
-/// innovation-based adaptation (Mehra 1970), by stochastic approximation. Real-time: yes.
+/// Encoders, leg flexibility and soft soles cause errors of the foot position from joint angles,
+/// and no data sheet gives their size. So the variance of a foot is adapted: it grows exponentially
+/// while the normalised innovation squared of the foot is above 3, its dimension, and decays while
+/// this value is below 3. An initial variance that is wrong by orders of magnitude is corrected in
+/// a fraction of a second. Method: innovation-based adaptation (Mehra 1970), by stochastic
+/// approximation. Real-time: yes.
 class FootNoise {
  public:
+  /// Set all variances to the square of the gain noise_foot_position.
   void reset(const Gains& gains) noexcept;
 
   /// Adapt the variances of the stance feet.
@@ -23,7 +25,7 @@ class FootNoise {
   void update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predicted_variance,
               const std::array<bool, kLegs>& stance, double dt) noexcept;
 
-  /// Variance of one coordinate of each measured foot position [m^2].
+  /// Variance of one coordinate of each measured foot position [m^2], FR FL RR RL.
   const Eigen::Vector4d& variance() const noexcept { return variance_; }
 
  private:

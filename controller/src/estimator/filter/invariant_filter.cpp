@@ -9,25 +9,28 @@ namespace surefoot {
 using namespace error_index;
 
 namespace {
-// [m^2] Keeps the innovation covariance invertible. Numerical: below the square of
+// [m^2] Variance that keeps the innovation covariance invertible. Numerical: below the square of
 // FootNoise::kMinSigma.
 constexpr double kMinFootVariance = 1e-12;
-// Numerical tolerance against rounding errors of zero variances, in the unit of each.
+// Size of a negative variance, in its own unit, above which the estimate is implausible. Numerical:
+// rounding errors make zero variances slightly negative.
 constexpr double kVarianceTolerance = 1e-6;
-// Larger values are implausible. Chosen: beyond what any of the robots does. The biases are a tenth
-// and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
+// Values above which the estimate is implausible. Chosen: no robot is as fast, and the biases are a
+// tenth and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
 constexpr double kMaxSpeed = 20.0;              // [m/s]
 constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
 constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
-// [rad] Rotation that renews a linearisation point. Chosen. Below: noise of the estimate, which
-// made the tilt drift at rest (test_estimator_rest.cpp); above: the error of the linearisation.
+// [rad] Rotation after which a linearisation point is renewed. Chosen. Below: noise of the
+// estimate, which made the tilt drift at rest (test_estimator_rest.cpp); above: error of the
+// linearisation.
 constexpr double kRelinearisationAngle = 0.01;
 
 double square(double x) noexcept { return x * x; }
 
-// The accelerometer bias is a first-order Gauss-Markov process: accelerometer_drift sets its random
-// walk, start_accelerometer_bias its stationary standard deviation. At rest a horizontal bias
-// cannot be distinguished from a tilt. Without this bound both would drift together for ever.
+// Set decay and process noise of the accelerometer bias. The bias is a first-order Gauss-Markov
+// process: the gain accelerometer_drift sets its random walk, and start_accelerometer_bias its
+// stationary standard deviation. At rest a horizontal bias cannot be distinguished from a tilt. If
+// the bias had no stationary value, bias and tilt would drift together for ever.
 void discretise_accelerometer_bias(const Gains& gains, ErrorPropagation& motion) noexcept {
   const double start = square(gains.start_accelerometer_bias);
   const double rate = 0.5 * square(gains.accelerometer_drift) / start;
@@ -65,22 +68,25 @@ bool InvariantFilter::is_plausible() const noexcept {
   return values && variances;
 }
 
-// Choose the attitude at which the effect of the biases on the error is linearised: keep it until
-// the body has rotated by kRelinearisationAngle. At rest a horizontal bias and a tilt cannot be
-// distinguished. Linearised at each new estimate, the Jacobian would vary with the noise of the
-// estimate and correlate with the innovations. The filter would then seem to observe tilt and bias
-// separately and drift: by 0.16 m/s^2 an hour for a robot at rest. This is inconsistency by
+// Choose the attitude at which the effect of the biases on the error is linearised. This attitude
+// is kept until the body has rotated by kRelinearisationAngle.
+//
+// At rest a horizontal bias and a tilt cannot be distinguished. If the filter linearised at each
+// new estimate, the Jacobian would vary with the noise of the estimate and correlate with the
+// innovations. The filter would then wrongly treat tilt and bias as separately observable, and the
+// bias of a robot at rest would drift by 0.16 m/s^2 an hour. The cause is inconsistency by
 // linearisation (Huang, Mourikis, Roumeliotis 2010, "Observability-based rules for designing
 // consistent EKF SLAM estimators").
 void InvariantFilter::relinearise() noexcept {
-  // |R - R'|^2 = 2 a^2 for a small angle a between two attitudes.
+  // For a small angle a between attitudes R_1 and R_2: |R_1 - R_2|^2 = 2 a^2.
   if ((R_ - R_linearisation_).squaredNorm() > 2.0 * square(kRelinearisationAngle))
     R_linearisation_ = R_;
 }
 
-// Choose the lever at which the measurement is linearised, likewise: the ground normal comes from
-// the estimated feet and has their noise. Linearised at each new lever, the bias of a standing
-// robot would drift by 0.016 m/s^2 an hour.
+// Choose the lever at which the measurement is linearised; it is also kept until it has rotated by
+// kRelinearisationAngle. The ground normal comes from the estimated feet and has their noise. If
+// the filter linearised at each new lever, the bias of a standing robot would drift by 0.016 m/s^2
+// an hour.
 void InvariantFilter::relinearise(const Vector3& lever) noexcept {
   const double most = square(kRelinearisationAngle) * lever.squaredNorm();
   if ((lever - lever_linearisation_).squaredNorm() > most) lever_linearisation_ = lever;
@@ -105,15 +111,16 @@ void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
   motion.foot_variance = foot_variance;
   motion.gyroscope_drift_variance = square(gains.gyroscope_drift) * dt;
   discretise_accelerometer_bias(gains, motion);
-  // Stance feet make the vertical bias observable, so it gets more process noise. With a small
-  // variance, a jump of the vertical bias would be attributed to the horizontal bias and the tilt;
-  // a jump of 0.7 m/s^2 can then make an a1 tip over. The time constant of the vertical bias is
-  // sigma sqrt(dt) / accelerometer_drift_vertical, with sigma the accelerometer noise.
+  // Stance feet make the vertical bias observable, so this component gets more process noise. With
+  // a small variance, the filter would attribute a jump of the vertical bias to the horizontal bias
+  // and the tilt: a jump of 0.7 m/s^2 can then make an a1 tip over. The time constant of the
+  // vertical bias is sigma sqrt(dt) / accelerometer_drift_vertical, where sigma is the standard
+  // deviation of the accelerometer.
   motion.up_base = R_linearisation_.row(2);
   motion.vertical_drift_variance = square(gains.accelerometer_drift_vertical) * dt;
   P_.propagate(motion);
 
-  // Rotate the specific force by half of the tick's rotation, which gives its mean over the tick.
+  // Rotate the specific force by half of the tick's rotation: the result is its mean over the tick.
   const Vector3 turn = dt * (imu.w_base - gyroscope_bias_);
   const Vector3 force = imu.f_base - accelerometer_bias_;
   const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
@@ -137,10 +144,11 @@ void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& v
   apply(xi);
 }
 
-// z = R y - (d - p) = xi_p - xi_d + xi_R x lever, to first order and independent of the state. The
-// last term: y has the contact point of a spherical foot along the ground normal from the centre,
-// and needs the estimated attitude for that. All feet share one linearisation point, so the
-// correction by the feet before is subtracted from the innovation.
+// Add the correction by one foot to xi. The innovation is z = R y - (d - p); to first order it is
+// xi_p - xi_d + xi_R x lever, independent of the state. The last term exists because y is the
+// contact point of a spherical foot, whose position relative to the centre depends on the ground
+// normal in base axes, and so on the estimated attitude. All feet share one linearisation point, so
+// the correction by the feet before this foot is subtracted from the innovation.
 void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, double gate,
                                    const Vector3& lever, Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
@@ -178,7 +186,7 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, d
   P_.correct(W, K, S);
 }
 
-// Apply the correction: X = exp(-xi) X on the group, by difference for the biases.
+// Apply the correction xi: X_next = exp(-xi) X on the group; for the biases, subtract xi.
 void InvariantFilter::apply(const Error& xi) noexcept {
   const Vector3 turn = -xi.segment<3>(kRotation);
   const Quaternion dq = exp_so3(turn);

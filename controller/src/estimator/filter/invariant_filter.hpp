@@ -8,11 +8,11 @@ namespace surefoot {
 
 /// Initial standard deviations of the filter.
 struct InitialSigmas {
-  double tilt = 0.0;           ///< [rad]
+  double tilt = 0.0;           ///< [rad] of roll and pitch each
   double velocity = 0.0;       ///< [m/s]
   double foot = 0.0;           ///< [m]
-  double gyroscope = 0.0;      ///< [rad/s]
-  double accelerometer = 0.0;  ///< [m/s^2]
+  double gyroscope = 0.0;      ///< [rad/s] of the bias
+  double accelerometer = 0.0;  ///< [m/s^2] of the bias
 };
 
 /// IMU measurement of one tick, with variances.
@@ -29,8 +29,8 @@ struct ImuInput {
 ///
 /// The state X = (R, v, p, d_1 .. d_4) of the IMU point and the contact points is an element of the
 /// group SE_6(3); the biases, in base axes, are vectors beside it. Gyroscope and accelerometer
-/// drive the prediction. The forward kinematics of each leg measure y = R' (d - p), the contact
-/// point from the IMU point.
+/// drive the prediction. The forward kinematics of each leg measure y = R^T (d - p), the vector
+/// from the IMU point to the contact point, base axes.
 ///
 /// The error is right-invariant, X_estimate = exp(xi) X. Its linearised dynamics and measurement
 /// depend on the state only through the biases. So the filter converges from large initial errors
@@ -41,12 +41,13 @@ struct ImuInput {
 /// for robot state estimation", IJRR 2020. Differences from the paper: contact points roll with the
 /// spherical feet; all four feet stay in the state, with large process noise off the ground; the
 /// accelerometer bias is a Gauss-Markov process; an innovation gate rejects feet; the linearisation
-/// points of biases and lever are held until they have rotated by 10 mrad. Real-time: yes.
+/// points of biases and lever are kept until body or lever has rotated by 10 mrad. Real-time: yes.
 class InvariantFilter {
  public:
   /// Start again with zero biases.
-  /// @param R,v,p attitude, velocity and position of the IMU point @param p_feet contact points,
-  /// world axes [m]
+  /// @param R attitude of the base
+  /// @param v,p velocity [m/s] and position [m] of the IMU point, world axes
+  /// @param p_feet contact points, world frame [m]
   void reset(const Quaternion& R, const Vector3& v, const Vector3& p, const FeetMatrix& p_feet,
              const InitialSigmas& sigmas) noexcept;
 
@@ -58,8 +59,8 @@ class InvariantFilter {
     gyroscope_bias_.setZero();
     accelerometer_bias_.setZero();
   }
-  /// Return whether the estimate is one that a robot can have. An implausible estimate does not
-  /// recover by itself.
+  /// Return whether speed, biases and variances are in the range that is possible for a robot. An
+  /// implausible estimate does not recover by itself.
   bool is_plausible() const noexcept;
 
   /// Predict over one tick.
@@ -70,12 +71,12 @@ class InvariantFilter {
   /// Move the contact points by a known displacement, such as rolling; world axes [m].
   void move_feet(const FeetMatrix& displacement) noexcept { feet_ += displacement; }
 
-  /// Correct with the contact points by forward kinematics.
-  /// @param y_base contact points from the IMU point, base axes [m]
-  /// @param variance measurement noise [m^2] of each foot
-  /// @param gate [standard deviations] the measurement noise of a foot with a larger innovation is
-  /// enlarged to match; beyond kRejectionRatio times the gate the foot is rejected
-  /// @param lever [m] from a contact point to the centre of its foot, world axes
+  /// Correct the estimate with the contact points from forward kinematics.
+  /// @param y_base vectors from the IMU point to the contact points, base axes [m]
+  /// @param variance measurement noise of each foot: variance of one coordinate [m^2]
+  /// @param gate limit of a foot's innovation [standard deviations]; above it the measurement noise
+  /// of the foot is enlarged to match, and above kRejectionRatio * gate the foot is rejected
+  /// @param lever vector from a contact point to the centre of its foot, world axes [m]
   void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
                const Vector3& lever) noexcept;
 
@@ -88,13 +89,14 @@ class InvariantFilter {
   const Vector3& accelerometer_bias() const noexcept { return accelerometer_bias_; }
   const ErrorCovariance& covariance() const noexcept { return P_; }
 
-  /// Results of the last correct(): feet that the gate rejected; normalised innovation squared of
-  /// all other feet together, and its dimension.
+  // Results of the last correct():
+  /// True for each foot that the gate rejected.
   const std::array<bool, kLegs>& rejected_feet() const noexcept { return rejected_feet_; }
+  /// Normalised innovation squared of all feet that were not rejected, and its dimension.
   double nis() const noexcept { return nis_; }
   int nis_dimension() const noexcept { return nis_dimension_; }
-  /// Normalised innovation squared of each foot, and the variance of its innovation without the
-  /// measurement noise [m^2].
+  /// Normalised innovation squared of each foot, and the variance [m^2] of one coordinate of its
+  /// innovation without measurement noise.
   const Eigen::Vector4d& foot_nis() const noexcept { return foot_nis_; }
   const Eigen::Vector4d& predicted_variance() const noexcept { return predicted_variance_; }
 
@@ -104,9 +106,9 @@ class InvariantFilter {
   }
 
  private:
-  // [gate_foot] Innovations beyond it are rejected; below it they get less weight. Chosen: a foot
-  // that slips slowly must still be used, one that is off by 20 sigma must not
-  // (docs/estimation.md).
+  // In units of gate_foot: innovation above which a foot is rejected; from 1 to this value the foot
+  // only gets less weight. Chosen: the filter must still use a foot that slips slowly, but not a
+  // foot that is off by 20 sigma (docs/estimation.md).
   static constexpr double kRejectionRatio = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,
@@ -117,8 +119,8 @@ class InvariantFilter {
 
   Quaternion q_ = Quaternion::Identity();
   Matrix3 R_ = Matrix3::Identity();
-  Matrix3 R_linearisation_ = Matrix3::Identity();  // of the bias Jacobians
-  Vector3 lever_linearisation_ = Vector3::Zero();  // of the measurement
+  Matrix3 R_linearisation_ = Matrix3::Identity();  // linearisation point of the bias Jacobians
+  Vector3 lever_linearisation_ = Vector3::Zero();  // linearisation point of the measurement
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();

@@ -8,47 +8,50 @@ namespace surefoot {
 
 namespace {
 
-// [rad/s^2], [m/s^3] Assumed change while a rate or a specific force is held. Chosen: over the 20
-// ms of a 50 Hz sensor they reach 1 rad/s (kUnmeasuredRateNoise) and 10 m/s^2 (1 g).
+// [rad/s^2], [m/s^3] Assumed rates of change of a signal while the sensor repeats its last value.
+// Chosen: over the 20 ms of a 50 Hz sensor the change reaches 1 rad/s (kUnmeasuredRateNoise) and
+// 10 m/s^2 (1 g).
 constexpr double kHeldRateDrift = 50.0;
 constexpr double kHeldForceDrift = 500.0;
-// [sigma^2] Three times the squared change that noise alone causes on three axes (2 sigma^2 each).
+// [sigma^2] Squared change above which the signal itself has changed. Derived: three times the
+// squared change that noise alone causes on three axes (2 sigma^2 each).
 constexpr double kNoiseOnlyChange = 18.0;
-// Error of a tick's mean, as a share of its change. Chosen close to 1 / sqrt(12) = 0.29, the
-// standard deviation if the mean lies anywhere between the two samples.
+// Standard deviation of a tick's mean, as a share of the signal's change in the tick. Chosen close
+// to 1 / sqrt(12) = 0.29, the value if the mean is uniformly distributed between the two samples.
 constexpr double kMeanUncertainty = 0.25;
-// [rad/s] Standard deviations of a rate from the IMU quaternion and from the legs. Chosen: both
-// above noise_gyroscope (0.01), because they replace the gyroscope only when it fails; the legs' is
-// larger because feet slip. Tests frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates and
-// below.
+// [rad/s] Standard deviations of a rate from the IMU quaternion and of a rate from the legs.
+// Chosen: both above noise_gyroscope (0.01), because these rates replace the gyroscope only when it
+// fails. The value of the legs is larger because feet slip. Test:
+// frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates.
 constexpr double kQuaternionRateNoise = 0.05;
 constexpr double kLegRateNoise = 0.2;
-// [rad/s] Beyond it the quaternion has jumped. Derived: full scale of the gyroscope, 2000 deg/s.
+// [rad/s] Rate above which the quaternion has jumped. Derived: full scale of the gyroscope, 2000
+// deg/s.
 constexpr double kMaxQuaternionRate = 35.0;
-// [rad/s] The gyroscope is rejected if it differs from the legs by more than this. Chosen. Below:
-// five times kLegRateNoise; above: an error of 3 rad/s for 0.1 s made a go1 fall
-// (docs/estimation.md).
+// The gyroscope is rejected if both conditions hold:
+// [rad/s] The rates of gyroscope and legs differ by more than this. Chosen. Below: five times
+// kLegRateNoise; above: an error of 3 rad/s for 0.1 s made a go1 fall (docs/estimation.md).
 constexpr double kMinContradiction = 1.0;
-// ... and the quaternion differs from the legs by less than this share of it. Chosen: the two are
-// then closer to each other than to the gyroscope; test
+// The rates of quaternion and legs differ by less than this share of the first difference. Chosen:
+// the quaternion is then closer to the legs than to the gyroscope; test
 // legs_and_quaternion_outvote_a_wrong_gyroscope.
 constexpr double kAgreementRatio = 0.5;
-// [rad/s], [m/s^2] Standard deviations without any measurement: the body does not rotate and is not
-// accelerated. Chosen as what a standing body does: 1 rad/s, 0.3 g.
+// [rad/s], [m/s^2] Standard deviations of rate and specific force if nothing measures them and the
+// body is assumed to be at rest. Chosen: larger than the motion of a standing body; 1 rad/s, 0.3 g.
 constexpr double kUnmeasuredRateNoise = 1.0;
 constexpr double kUnmeasuredForceNoise = 3.0;
 
 double square(double x) noexcept { return x * x; }
 
-// Compute the variance of the `age`-th use of one sample. Repeats share their noise: n of them add
-// up to variance n^2 sigma^2, so the n-th one adds (2 n - 1) sigma^2. The second term is what the
-// signal has changed by since it was sampled.
+// Compute the variance of a sample that is used for the `age`-th time. All uses share one noise
+// value: n uses have the total variance n^2 sigma^2, so the n-th use adds (2 n - 1) sigma^2. The
+// second term covers the change of the signal since the sample; `change` is a rate of change.
 double held_variance(double sigma, int age, double change, double dt) noexcept {
   return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
 }
 
-// Compute the variance of the mean over a tick whose two ends are measured: a change beyond the
-// noise may have come early or late in the tick.
+// Compute the variance of the mean over a tick, of which only the values at both ends are measured:
+// a change beyond the noise may have happened early or late in the tick.
 double mean_variance(const Vector3& change, double sigma) noexcept {
   return square(kMeanUncertainty) *
          std::max(change.squaredNorm() - kNoiseOnlyChange * square(sigma), 0.0);
@@ -102,14 +105,14 @@ ImuInput ImuPreprocessor::update(const Gains& gains, const ImuReading& imu,
 }
 
 // Return whether legs and IMU quaternion agree with each other, but not with the gyroscope. When
-// feet slip or the body is hit, gyroscope and quaternion agree and the gyroscope is kept.
+// feet slip or the body is hit, gyroscope and quaternion agree, so the gyroscope is not rejected.
 bool ImuPreprocessor::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
                                             const Dynamics& dynamics,
                                             const Eigen::Vector4d& contact,
                                             bool quaternion_changed) const noexcept {
   if (!quaternion_changed && !gyroscope_rejected_) return false;  // legs alone do not suffice
-  // With fewer than three stance feet the last rate stands in for that of the legs: a body cannot
-  // change its rate by kMinContradiction within one tick.
+  // With fewer than three stance feet, use the last rate instead of the rate from the legs: a body
+  // cannot change its rate by kMinContradiction within one tick.
   Vector3 w_legs = last_w_ - filter.gyroscope_bias();
   rate_from_legs(dynamics, contact, w_legs);
   const double deviation = (imu.w_base - filter.gyroscope_bias() - w_legs).norm();
@@ -125,8 +128,8 @@ void ImuPreprocessor::replace_rate(const ImuReading& imu, const InvariantFilter&
                                    bool quaternion_changed, ImuInput& out) const noexcept {
   Vector3 w = Vector3::Zero();
   double sigma = kUnmeasuredRateNoise;
-  // A quaternion may be updated less often than samples arrive. The filter has already applied
-  // rotation_since_last_ meanwhile; this must not count twice.
+  // The robot may update the quaternion less often than it sends samples. The filter has already
+  // applied rotation_since_last_ in the meantime, so this rotation is subtracted.
   if (quaternion_changed)
     w = log_so3(rotation_since_last_.conjugate() * last_quaternion_.conjugate() *
                 imu.R_world_base) /
@@ -140,8 +143,9 @@ void ImuPreprocessor::replace_rate(const ImuReading& imu, const InvariantFilter&
   out.w_variance = square(sigma);
 }
 
-// Contact points at rest do not rotate about each other. With a rate that is too high by b, they
-// appear to move by v_i - mean(v) = b x (p_i - mean(p)); least squares for b.
+// Contact points at rest do not rotate about each other. If the rate of the dynamics is too high by
+// b, the contact points seem to move by v_i - mean(v) = b x (p_i - mean(p)). Find b by least
+// squares.
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept {
   Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();

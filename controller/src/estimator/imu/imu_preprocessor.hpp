@@ -10,17 +10,20 @@ namespace surefoot {
 
 /// Converts IMU readings to filter inputs: means over the tick and their variances.
 ///
-/// The mean is the average of the last and the present sample. The sample noise is measured from
-/// second differences (SampleNoise), starting from its gain. Held samples get a larger variance.
-/// The gyroscope is replaced when its verdict is bad, or when the IMU quaternion and the stance
-/// legs agree with each other but contradict it (with fewer than three stance feet the last rate
-/// stands in for the legs). The replacement is the rate of the quaternion while that changes, else
-/// the rate from the legs. An accelerometer with a bad verdict is replaced by gravity, as at rest.
-/// Real-time: yes.
+/// The mean is the average of the last and the present sample. SampleNoise measures the noise of
+/// the samples, starting from the gains. Repeated samples get a larger variance.
+///
+/// The gyroscope is replaced when its verdict is bad. It is also replaced when the IMU quaternion
+/// and the stance legs agree with each other but contradict the gyroscope; with fewer than three
+/// stance feet the last rate is used instead of the rate from the legs. The replacement is the rate
+/// of the quaternion if the quaternion has changed. Otherwise it is the rate from the legs, and
+/// with fewer than three stance feet zero with a large variance. An accelerometer with a bad
+/// verdict is replaced by gravity, as at rest. Real-time: yes.
 class ImuPreprocessor {
  public:
   /// Compute the filter input of this tick.
-  /// @param dynamics,contact those of the last tick
+  /// @param dynamics dynamics of the last tick
+  /// @param contact contact confidences of the last tick, 0 .. 1
   ImuInput update(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
                   const Dynamics& dynamics, const Eigen::Vector4d& contact, double dt) noexcept;
 
@@ -47,10 +50,10 @@ class ImuPreprocessor {
   bool started_ = false;
 };
 
-/// Compute the angular velocity of the base [rad/s], base axes, at which the stance feet are at
-/// rest, by least squares.
+/// Compute the angular velocity of the base at which the stance feet are at rest, by least squares.
 ///
-/// @return false with fewer than three stance feet; w_base is then unchanged
+/// @param w_base result: angular velocity, base axes [rad/s]
+/// @return false with fewer than three stance feet or a singular fit; w_base is then unchanged
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept;
 

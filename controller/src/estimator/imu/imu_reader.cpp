@@ -13,7 +13,8 @@ constexpr double kForceRange = 156.0;
 void ImuReader::StuckVectorDetector::update(const Vector3& value, bool joints_changed,
                                             double dt) noexcept {
   if (value == last) {
-    // Age the signal only if others have changed: a repeated sample is no evidence of a fault.
+    // Count the sample only if the joints have changed: a whole sample that repeats is no sensor
+    // fault.
     age += joints_changed;
     unchanged_time += joints_changed ? dt : 0.0;
     return;

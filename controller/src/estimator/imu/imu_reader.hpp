@@ -11,8 +11,8 @@ struct ImuReading {
   Vector3 w_base = Vector3::Zero();                  ///< [rad/s] as measured, bias included
   Vector3 f_base = Vector3::Zero();                  ///< [m/s^2] specific force at the IMU
   Quaternion R_world_base = Quaternion::Identity();  ///< valid if has_quaternion
-  bool has_quaternion = false;                       ///< its norm is 1, within 5 %
-  /// Number of samples since the value last changed, this one included: 1 is a new value.
+  bool has_quaternion = false;                       ///< the IMU quaternion has norm 1, within 5 %
+  /// Number of samples with the present value, this one included: 1 means a new value.
   int w_age = 1, f_age = 1;
   bool changed = true;  ///< joints or IMU differ from the last sample
   SensorVerdict gyroscope = SensorVerdict::kUnjudged;
@@ -22,15 +22,16 @@ struct ImuReading {
 
 /// Converts IMU samples to base axes and detects values that repeat.
 ///
-/// A repeated value is an old measurement: an IMU slower than the samples holds its values, which
-/// is no fault for up to kMaxHoldTime. A signal that stays constant for longer while the joint
-/// values change has stopped. Real-time: yes.
+/// An IMU that is slower than the samples repeats its values; this is no fault for up to
+/// kMaxHoldTime. A signal that stays constant for longer while the joint values change gets the
+/// verdict kZero or kConstant. Real-time: yes.
 class ImuReader {
  public:
-  /// [rad/s] Derived: just below 2000 deg/s (34.9), the assumed full scale of the gyroscope.
+  /// [rad/s] Rate from which the gyroscope counts as saturated. Derived: just below 2000 deg/s
+  /// (34.9), its assumed full scale.
   static constexpr double kRateRange = 34.8;
-  /// [s] Derived: a 50 Hz sensor holds for 20 ms, plus one tick at 500 Hz. Test
-  /// sensor_is_constant_after_22_ms_of_joint_motion.
+  /// [s] Longest time for which a working sensor repeats a value. Derived: 20 ms of a 50 Hz sensor,
+  /// plus one tick at 500 Hz. Test: sensor_is_constant_after_22_ms_of_joint_motion.
   static constexpr double kMaxHoldTime = 0.022;
 
   /// Process one sample.
@@ -40,7 +41,7 @@ class ImuReader {
   void reset() noexcept { *this = ImuReader(); }
 
  private:
-  // Measures for how long a signal has been constant while the joints changed.
+  // Measures how long a signal has been constant while the joints changed.
   struct StuckVectorDetector {
     Vector3 last = Vector3::Constant(NAN);
     double unchanged_time = 0.0;  // [s]

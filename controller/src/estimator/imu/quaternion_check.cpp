@@ -6,13 +6,15 @@
 namespace surefoot {
 
 namespace {
-// [rad] 5 deg: error of an IMU's attitude filter under acceleration. Chosen. Above: 10 deg, at
+// The tilts contradict each other above kMaxTiltDifference + kSigmaFactor sigma.
+// [rad] Error of an IMU's attitude filter under acceleration, 5 deg. Chosen. Above: 10 deg, at
 // which arming refuses a quaternion; test quaternion_disagrees_after_1_s_of_contradiction.
 constexpr double kMaxTiltDifference = 0.0873;
-// Standard deviations of the filter's tilt, added to it. Chosen as the default of gate_foot.
+// Factor of sigma, the standard deviation of the filter's tilt. Chosen: the default of gate_foot.
 constexpr double kSigmaFactor = 4.0;
-// [s] of contradiction before the verdict changes. Chosen. Below: a push, 0.1 s, which misleads an
-// attitude filter; above: the robot balances by a wrong tilt if it is the estimate that is wrong.
+// [s] Duration of a contradiction after which the verdict changes. Chosen. Below: a push of 0.1 s,
+// which disturbs the IMU's attitude filter; above: if the estimate is wrong, the robot balances
+// with a wrong tilt.
 constexpr double kDetectionTime = 1.0;
 }  // namespace
 

@@ -7,21 +7,23 @@ namespace surefoot {
 
 /// Compares the tilt of the IMU quaternion with the tilt of the filter.
 ///
-/// Both use the same gyroscope and accelerometer, so the quaternion is a check and never a
-/// measurement. Real-time: yes.
+/// The IMU computes its quaternion from the same gyroscope and accelerometer that the filter uses.
+/// So the quaternion is only a check and no independent measurement. Real-time: yes.
 class QuaternionCheck {
  public:
   /// Process one sample.
-  /// @param R_world_base attitude of the filter @param sigma standard deviation of its tilt [rad]
+  /// @param R_world_base attitude of the filter
+  /// @param sigma standard deviation of the filter's tilt [rad]
   void update(const ImuReading& imu, const Matrix3& R_world_base, double sigma, double dt) noexcept;
   SensorVerdict verdict() const noexcept { return verdict_; }
-  double tilt_difference() const noexcept { return tilt_difference_; }  ///< [rad]
+  /// Angle between the verticals of quaternion and filter [rad].
+  double tilt_difference() const noexcept { return tilt_difference_; }
   void reset() noexcept { *this = QuaternionCheck(); }
 
  private:
   SensorVerdict verdict_ = SensorVerdict::kUnjudged;
   double tilt_difference_ = 0.0;
-  double contradiction_time_ = 0.0;  // [s]
+  double contradiction_time_ = 0.0;  // [s] rises while the tilts contradict each other, else falls
 };
 
 }  // namespace surefoot

@@ -11,20 +11,20 @@ namespace surefoot {
 /// Online estimate of the white noise of a three-axis sensor.
 ///
 /// Second differences contain little body motion and six times the noise variance: per axis,
-/// E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, as it should for a
+/// E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, which is right for the
 /// filter. Real-time: yes.
 class SampleNoise {
  public:
-  /// Start again.
-  /// @param sigma initial standard deviation of one axis; estimates stay within 1/4 .. 10 times it
+  /// Start again with an initial value.
+  /// @param sigma standard deviation of one axis; estimates stay within 0.25 sigma .. 10 sigma
   void reset(double sigma) noexcept {
     prior_sigma_ = sigma;
     variance_ = sigma * sigma;
     count_ = 0;
   }
 
-  /// Process one sample.
-  /// @param value new measurement; held samples must not be passed
+  /// Process one measurement.
+  /// @param value new measurement; the caller must not pass repeated values
   void update(const Vector3& value, double dt) noexcept {
     if (count_ >= 2) {
       const double sample_variance = (value - 2.0 * last_ + second_last_).squaredNorm() / 18.0;
@@ -41,14 +41,16 @@ class SampleNoise {
   }
 
  private:
-  // [s] averaging. Chosen. Below: some hundred samples for 10 %; above: noise changes, e.g.
-  // vibration. Test sample_noise_is_estimated_within_10_percent_during_motion.
+  // [s] Time constant of the average. Chosen. Below: 10 % accuracy needs some hundred samples;
+  // above: changes of the noise, such as vibration. Test:
+  // sample_noise_is_estimated_within_10_percent_during_motion.
   static constexpr double kTimeConstant = 0.5;
   static constexpr double kPriorSamples = 20.0;  // [samples] weight of the initial value; chosen
-  // Clips larger sample variances: impacts. Derived: the square of five standard deviations.
+  // Largest sample variance that counts, as a multiple of the estimate; impacts cause larger ones.
+  // Derived: the square of five standard deviations.
   static constexpr double kOutlierRatio = 25.0;
-  // Bounds, as shares of the initial sigma. Chosen: a real sensor is at most so much better or
-  // worse than noise_gyroscope and noise_accelerometer (docs/estimation.md).
+  // Bounds of the estimate, as multiples of the initial sigma. Chosen: no real sensor is further
+  // from the gains noise_gyroscope and noise_accelerometer (docs/estimation.md).
   static constexpr double kMinRatio = 0.25;
   static constexpr double kMaxRatio = 10.0;
   static constexpr int kMaxCount = 1 << 20;  // against overflow; the blend is constant long before

@@ -10,21 +10,31 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. `surefoot faults` brackets them: values named "passes" and "refused" are its rows
-// imu_bias, quaternion, packet_loss and unknown_pose (bindings/surefoot/faults/rows).
-// Share of samples that may be missing: above single lost samples; 4 % is refused.
+// Chosen by hand. The rows imu_bias, quaternion, packet_loss and unknown_pose of `surefoot faults`
+// (bindings/surefoot/faults/rows) bracket the values: "passes" and "is refused" refer to these
+// rows.
+// Share of missing samples from which the check link fails. Must exceed single lost samples; 4 % is
+// refused.
 constexpr double kMaxLoss = 0.01;
-constexpr double kWindow = 1.0;  // [s] time constant of that share; equals the default arming_time
-// Error of a quaternion's length: above the rounding of float (1e-7); 1 % is refused.
+// [s] Time constant of the mean of that share. Equal to the default of arming_time.
+constexpr double kWindow = 1.0;
+// Error of a quaternion's length from which the check fails. Must exceed the rounding of float
+// (1e-7); 1 % is refused.
 constexpr double kQuaternionTolerance = 1e-3;
-constexpr double kMaxTurnRate = 0.05;       // [rad/s] a body at rest: 0.02 passes, 0.1 is refused
-constexpr double kGravityTolerance = 0.05;  // share of g, error of |a|: 0.2 passes, 0.7 m/s^2 not
-// [s] low-pass filter on the IMU: above the sample period; below the 0.5 s to a refusal.
+// [rad/s] Turn rate from which the body is not at rest: 0.02 passes, 0.1 is refused.
+constexpr double kMaxTurnRate = 0.05;
+// [g] Error of the accelerometer's magnitude from which the check fails: 0.2 m/s^2 passes, 0.7
+// m/s^2 is refused.
+constexpr double kGravityTolerance = 0.05;
+// [s] Time constant of the low-pass filter on the IMU. Must exceed the sample period. Must be below
+// 0.5 s, within which a fault is refused.
 constexpr double kSmoothing = 0.1;
-// [rad] 10 degrees, attitude against accelerometer: twice the error of vendors' filters (up to 5).
+// [rad] 10 degrees: angle between attitude and accelerometer from which the check fails. Twice the
+// error of vendors' filters (up to 5 degrees).
 constexpr double kMaxAttitudeError = 0.1745;
-// [rad] 25 degrees: above the 20 at which robots come to rest (sim/physics/lying_pose.py);
-// 35 is refused. RolloverMonitor::kRollTilt is the same angle.
+// [rad] 25 degrees: tilt from which the check fails. Must exceed the 20 degrees at which robots
+// come to rest (sim/physics/lying_pose.py); 35 degrees are refused. RolloverMonitor::kRollTilt is
+// the same angle.
 constexpr double kMaxTilt = 0.44;
 
 }  // namespace
@@ -70,8 +80,8 @@ void ArmingChecks::count_link(double step) noexcept {
   received_ *= fade;
   missing_ *= fade;
   if (!has_link_counts_) {
-    // The period is the shortest step of late: it follows a faster link at once, a slower one
-    // slowly, by 0.1 % a sample (a factor of e in 1000 samples; chosen).
+    // period_ estimates the period of the link. It drops to a shorter step at once, and grows by
+    // 0.1 % a sample for a slower link (a factor of e in 1000 samples; chosen).
     if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
     received_ += 1.0;
     if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
@@ -85,7 +95,7 @@ void ArmingChecks::check_motors(const LowState& state) noexcept {
   mode.passed = true;
   mode.limit = kModeServo;
   heat = {};
-  heat.value = -300.0;  // [deg C] below absolute zero
+  heat.value = -300.0;  // [deg C] below every temperature
   for (int i = 0; i < kMotors; ++i) {
     const MotorState& motor = state.motorState[i];
     if (motor.mode != kModeServo && mode.passed) {
@@ -107,7 +117,7 @@ void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
   const double share = started_ ? -std::expm1(-step / kSmoothing) : 1.0;
   started_ = true;
   const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
-  // NaN must not stay in the filter for ever.
+  // Restart the filter after NaN, which it would otherwise keep.
   const bool finite = gyro.allFinite() && accelerometer.allFinite();
   gyro_ = finite && gyro_.allFinite() ? Vector3(gyro_ + share * (gyro - gyro_)) : gyro;
   accelerometer_ = finite && accelerometer_.allFinite()

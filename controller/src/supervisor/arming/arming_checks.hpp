@@ -10,10 +10,11 @@ namespace surefoot {
 
 /// Limits of the arming checks.
 struct ArmingLimits {
-  double time = 1.0;          // [s] for which all checks must pass: SupervisorOptions' default
-  double temperature = 60.0;  // [deg C] motors must be cooler: SupervisorOptions' default
-  double joint_margin = 0.0;  // [rad] kept from the joint limits; negative: beyond
-  double torque_share = 0.0;  // of tau_max that the rise plan takes; must be below 1
+  double time = 1.0;  // [s] time for which all checks must pass; default as in SupervisorOptions
+  double temperature = 60.0;  // [deg C] motors must be cooler; default as in SupervisorOptions
+  // [rad] Distance that joints must keep from their limits; negative: tolerance beyond.
+  double joint_margin = 0.0;
+  double torque_share = 0.0;  // [tau_max] largest torque of the rise plan; must be below 1
 };
 
 /// Write value and limit into a check; it passes if value < limit. NaN fails.
@@ -24,16 +25,16 @@ inline void check_below(ArmingCheck& check, double value, double limit) noexcept
 }
 
 /// Runs the arming checks on every LowState: link, motors, IMU, joints, feet, and faults that keep
-/// the robot down. The robot is ready once all have passed for ArmingLimits::time without a break.
-/// Real-time: yes, except the constructor.
+/// the robot down. The robot is ready once all checks have passed for ArmingLimits::time without a
+/// break. Real-time: yes, except the constructor.
 class ArmingChecks {
  public:
   ArmingChecks(const Robot& robot, const ArmingLimits& limits);
 
   /// Judge a sample. @param step [s] since the previous sample
   void update(const LowState& state, double step) noexcept;
-  /// Add what the link has counted since the last call. From the first call on, these counts
-  /// replace the count of missing samples by the step of the tick.
+  /// Add the numbers of samples that the link has received and missed since the last call. From the
+  /// first call on, these counts replace those that update() derives from the step of the tick.
   void add_link_counts(double received, double missing) noexcept;
   bool has_link_counts() const noexcept { return has_link_counts_; }
   /// Count a call without a new sample, or with an impossible tick.
@@ -42,7 +43,7 @@ class ArmingChecks {
   void set_blocking_fault(FaultId why) noexcept;
   /// Restart the time for which all checks must pass.
   void clear_ready() noexcept { report_.passed_for = 0.0, report_.ready = false; }
-  /// Return the share of missing samples, averaged over about a second; 1e-9 avoids 0 / 0.
+  /// Return the share of missing samples, 0 .. 1, averaged over about a second.
   double loss() const noexcept { return missing_ / (received_ + missing_ + 1e-9); }
   const ArmingReport& report() const noexcept { return report_; }
 
@@ -61,8 +62,8 @@ class ArmingChecks {
   ArmingReport report_;
   Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // low-pass filtered
   bool started_ = false;
-  double period_ = 0.0;                    // [s] between samples: the shortest of late
-  double received_ = 0.0, missing_ = 0.0;  // samples, decaying over a second
+  double period_ = 0.0;                    // [s] estimated period of the samples, see count_link()
+  double received_ = 0.0, missing_ = 0.0;  // numbers of samples, decaying with kWindow
   bool has_link_counts_ = false;           // set by add_link_counts()
 };
 

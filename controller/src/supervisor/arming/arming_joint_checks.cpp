@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arming checks against the joint limits, standing pose and weight of the robot.
+// Arming checks of joint angles and foot forces against the model.
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +10,14 @@ namespace surefoot {
 namespace {
 
 // Chosen by hand.
-// Share of m g, error of the sum of foot forces. Below: sensor errors; above: one foot of four.
+// [m g] Error of the sum of foot forces from which the check fails. Must exceed sensor errors. Must
+// be small enough to notice that one foot of four is missing.
 constexpr double kFootForceTolerance = 0.25;
-// [rad] 20 degrees, error from q_standing of a standing robot: as in supervisor_modes.cpp.
+// [rad] 20 degrees: joint error from q_standing below which the robot counts as standing. Same as
+// kUprightTolerance in supervisor_modes.cpp.
 constexpr double kStandingTolerance = 0.35;
-// [rad] outside its range, an angle is not this motor's. Below: the 0.15 that joint_margin allows
-// for a folded calf. Test: failed_arming_checks_are_named.
+// [rad] Distance outside its range from which an angle cannot be that of its motor. Must exceed the
+// 0.15 that joint_margin allows for a folded calf. Test: failed_arming_checks_are_named.
 constexpr double kSwapMargin = 0.2;
 
 }  // namespace
@@ -23,7 +25,7 @@ constexpr double kSwapMargin = 0.2;
 void ArmingChecks::check_joints(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   ArmingCheck worst;
-  worst.value = -1e9;  // [rad] below every angle
+  worst.value = -1e9;  // [rad] below every distance
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
     const double outside = std::max(q - config.q_upper[i], config.q_lower[i] - q);
@@ -36,10 +38,10 @@ void ArmingChecks::check_joints(const LowState& state) noexcept {
   at(ArmingCheckId::kJoints) = worst;
 }
 
-// Find a motor whose angle is outside its own range by more than a joint at its stop can be. It is
-// swapped with another motor of its leg if both angles fit the other's range within that tolerance.
-// Only motors with different ranges can be told apart: calves. Without such a partner, the check
-// fails from kSwapMargin on.
+// Find a motor whose angle is outside its own range by more than joint_margin allows. The motor is
+// swapped with another motor of its leg if each of the two angles fits the range of the other
+// motor, within the same tolerance. Only motors with different ranges can be told apart, such as
+// calves. If no such partner exists, the check fails for a distance of kSwapMargin or more.
 void ArmingChecks::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {

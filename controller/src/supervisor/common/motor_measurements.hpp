@@ -13,7 +13,7 @@ inline Vector12 measured_torques(const LowState& state) noexcept {
   return tau;
 }
 
-/// Return the joint velocities, SDK motor order [rad/s]. Real-time: yes.
+/// Return the measured joint velocities (dq), SDK motor order [rad/s]. Real-time: yes.
 inline Vector12 measured_velocities(const LowState& state) noexcept {
   Vector12 dq;
   for (int i = 0; i < kMotors; ++i) dq[i] = state.motorState[i].dq;

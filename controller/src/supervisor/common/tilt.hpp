@@ -19,7 +19,8 @@ inline double angle_between(const Vector3& a, const Vector3& b) noexcept {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Return the roll angle of the body, asin(up.y), positive to its right [rad]. Real-time: yes.
+/// Return the roll angle of the body, asin(up.y) [rad]; positive if the right side is down.
+/// Real-time: yes.
 /// @param up the world's vertical in base axes, unit length
 inline double roll_angle(const Vector3& up) noexcept {
   return std::asin(std::clamp(up.y(), -1.0, 1.0));

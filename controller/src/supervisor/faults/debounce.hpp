@@ -15,7 +15,7 @@ class Debounce {
 
  private:
   static constexpr double kRounding = 1e-9;  // [s] tolerance for the rounding of summed periods
-  double time_ = 0.0;                        // [s] that the condition has been true
+  double time_ = 0.0;                        // [s] for which the condition has been true
 };
 
 }  // namespace surefoot

@@ -6,22 +6,23 @@
 
 namespace surefoot {
 
-/// Detects stopped encoders of a leg.
+/// Detects encoders of a leg that have stopped.
 ///
-/// The angles and velocities of the leg repeat bit for bit, although one of these velocities means
-/// motion and other legs' samples change. Two cases are no fault: a leg at rest may repeat its
-/// values, and all legs repeat together if joints are measured less often than samples are sent.
-/// Real-time: yes.
+/// It is a fault if the angles and velocities of a leg repeat bit for bit, although the repeated
+/// velocity of one joint means motion and the samples of another leg change. Two cases are no
+/// fault: a leg at rest may repeat its values, and all legs repeat together if the robot measures
+/// joints less often than it sends samples. Real-time: yes.
 class EncoderMonitor {
  public:
   // Chosen by hand; tests: stopped_encoders_are_detected_within_60_ms,
   // moving_resting_or_slow_joints_are_not_dead_encoders.
-  /// [rad/s] a slower joint may be at rest: twice an offset of 0.05 rad/s, the noise of encoders.
+  /// [rad/s] Velocity below which a joint may be at rest: twice 0.05 rad/s, the noise of encoders.
   static constexpr double kMinSpeed = 0.1;
-  /// [rad] travel by the repeated velocity before it is a fault: 50 ms at 0.2 rad/s, from which on
-  /// the 60 ms of fault_table() hold.
+  /// [rad] Displacement by the repeated velocity from which this is a fault: 50 ms at 0.2 rad/s.
+  /// The 60 ms of fault_table() apply from this velocity on.
   static constexpr double kMinTravel = 0.01;
-  /// Samples in which another leg changed meanwhile: 10 ms at 500 Hz, above repeats by chance.
+  /// Number of samples in which another leg must have changed: 10 ms at 500 Hz. Must exceed the
+  /// number of repeats by chance.
   static constexpr int kMinSamples = 5;
 
   /// Judge a sample.
@@ -45,14 +46,14 @@ class EncoderMonitor {
       if (motor_ < 0 && leg != lost_leg) motor_ = kLegJoints * leg + fastest(record.dq);
     }
   }
-  /// Return the SDK number of the fastest motor of a leg with stopped encoders, or -1.
+  /// Return the SDK number of the fastest motor of a leg whose encoders have stopped, or -1.
   int motor() const noexcept { return motor_; }
 
  private:
   struct Leg {
-    Vector3 q = Vector3::Constant(NAN), dq = Vector3::Zero();  // [rad], [rad/s] of the last sample
-    double time = 0.0;                                         // [s] for which they have repeated
-    int other_changes = 0;  // samples of that time in which another leg changed
+    Vector3 q = Vector3::Constant(NAN), dq = Vector3::Zero();  // [rad], [rad/s] in the last sample
+    double time = 0.0;      // [s] for which q and dq have repeated
+    int other_changes = 0;  // number of samples in this time in which another leg changed
   };
 
   static int fastest(const Vector3& dq) noexcept {

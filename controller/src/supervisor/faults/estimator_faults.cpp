@@ -5,13 +5,14 @@ namespace surefoot {
 
 namespace {
 
-// Minimum times of a finding, chosen by hand. Above: the detection times of fault_table().
-constexpr double kGyroscopeTime = 0.05;  // [s] of 1 s; the legs give the attitude rate meanwhile
-constexpr double kSensorTime = 0.02;     // [s] of 0.1 s and more, for every other sensor
-constexpr double kSlipTime = 0.02;       // [s] of 0.1 s; below: single wrong ticks
-constexpr double kLiftedTime = 0.05;     // [s] of 0.1 s; below: impacts that unload all feet
-constexpr double kPayloadTime = 1.0;     // [s] of 2 s; below: pushes (0.5 s in the full scorecard)
-constexpr double kMinSlip = 0.5;         // confidence of slip
+// [s] Times for which a finding must last before it is a fault. Chosen by hand. Each must be below
+// the detection time of its fault in fault_table(), which is given first.
+constexpr double kGyroscopeTime = 0.05;  // 1 s; meanwhile the legs give the attitude rate
+constexpr double kSensorTime = 0.02;     // 0.1 s or more; every other sensor
+constexpr double kSlipTime = 0.02;       // 0.1 s; must exceed single wrong ticks
+constexpr double kLiftedTime = 0.05;     // 0.1 s; must exceed impacts that unload all feet
+constexpr double kPayloadTime = 1.0;     // 2 s; must exceed pushes (0.5 s in the full scorecard)
+constexpr double kMinSlip = 0.5;         // EstimatorReport::slip above which a foot slips
 
 bool bad(SensorVerdict verdict) noexcept {
   return verdict != SensorVerdict::kGood && verdict != SensorVerdict::kUnjudged;
@@ -25,7 +26,7 @@ bool foot_force_bad(const EstimatorReport& report) noexcept {
       zero += verdict == SensorVerdict::kZero;
       wrong += bad(verdict);
     }
-    // A source that reads zero on all feet does not exist on this robot, as on most: no fault.
+    // Most robots lack one of these sources. A missing source reads zero on all feet: no fault.
     if (wrong > 0 && zero < kLegs) return true;
   }
   return false;

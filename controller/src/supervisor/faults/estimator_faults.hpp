@@ -16,16 +16,18 @@ class EstimatorFaults {
   explicit EstimatorFaults(double payload_limit) : payload_limit_(payload_limit) {}
 
   /// Judge the report of a standing robot's estimator.
-  /// @param dt [s] @param log receives kFootForce, kSlip, kLifted and kPayload; verdicts on the IMU
-  /// are read by the accessors below
+  /// @param dt [s] since the last call
+  /// @param log receives kFootForce, kSlip, kLifted and kPayload; the accessors below return the
+  /// verdicts on the IMU
   void update(const EstimatorReport& report, const RobotState& state, double dt,
               FaultLog& log) noexcept;
   /// Forget all findings while no estimator runs.
-  /// @param sitting keep the faults that make the robot sit down: without an estimator nothing
-  /// shows that they have ended
+  /// @param sitting keep the faults that make the robot sit down, because without an estimator
+  /// nothing shows that they have ended
   void reset(bool sitting, FaultLog& log) noexcept;
 
-  /// Verdicts on the IMU. ImuMonitor judges it as well, in every mode.
+  /// Return whether the estimator found this sensor faulty. ImuMonitor judges the IMU too, in every
+  /// mode.
   bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
   bool accelerometer_bad() const noexcept { return accelerometer_bad_; }
   bool quaternion_bad() const noexcept { return quaternion_bad_; }

@@ -12,12 +12,14 @@ namespace surefoot {
 class JointMonitor {
  public:
   // Chosen by hand; test: joint_motion_during_bad_samples_is_not_a_joint_jump.
-  /// [rad] beyond what the velocity explains. Above: the row position_trip of `surefoot faults`, a
-  /// hip 0.2 rad outside its limits.
+  /// [rad] Change of an angle beyond the displacement by its velocity from which the angle has
+  /// jumped. Must be below 0.2 rad, the jump of a hip in the row position_trip of `surefoot
+  /// faults`.
   static constexpr double kMaxJump = 0.08;
-  /// Of what the velocity explains: velocities that are delayed, noisy or change meanwhile.
+  /// [displacement by the velocity] Tolerance for velocities that are delayed, noisy or change
+  /// within the step.
   static constexpr double kTravelTolerance = 0.5;
-  /// [s] of rejection after which any angles are accepted; ImuMonitor has the same.
+  /// [s] Time of rejection after which any angles are accepted. Same as in ImuMonitor.
   static constexpr double kReacceptTime = 0.5;
 
   /// Return whether the angles of a sample are usable.
@@ -39,8 +41,8 @@ class JointMonitor {
   }
 
  private:
-  Vector12 q_ = Vector12::Zero();  // [rad] of the last accepted sample
-  double age_ = 0.0;               // [s] since then
+  Vector12 q_ = Vector12::Zero();  // [rad] angles of the last accepted sample
+  double age_ = 0.0;               // [s] since the last accepted sample
   bool started_ = false;
 };
 

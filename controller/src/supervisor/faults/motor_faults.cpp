@@ -11,31 +11,41 @@ namespace surefoot {
 namespace {
 
 // Chosen by hand. The rows tau_mismatch, motor_dead, two_controllers and over_temperature of
-// `surefoot faults` bracket them; benchmarks/false_trips.py checks that healthy robots pass.
-// Consecutive samples. Below: one wrong sample; above: the 6 ms of fault_table(), 3 periods.
+// `surefoot faults` bracket the values. benchmarks/false_trips.py checks that healthy robots pass.
+// Numbers of consecutive bad samples before this is a fault. Must exceed one wrong sample. Must fit
+// into 3 periods, the 6 ms of fault_table().
 constexpr int kBadModes = 2;
 constexpr int kBadAngles = 3;
-// [s] smoothing. Below: a motor's delay (two periods) and lag (2 ms); above: the 0.15 s to a fault.
+// [s] Time constant of the mean torques. Must exceed a motor's delay (two periods) and lag (2 ms).
+// Must be below the 0.15 s of fault_table().
 constexpr double kTorqueTime = 0.03;
-// Tolerance: a share of tau_max plus a share of the command. Below: torque errors of 5 %, 20 ms of
-// delay, tauEst 0 in one sample of ten; above: a dead motor.
+// Tolerance of a torque error: kTorqueOff [tau_max] plus kTorqueOffShare [command]. Must exceed
+// torque errors of 5 %, 20 ms of delay, and tauEst 0 in one sample of ten. Must be below the error
+// of a dead motor.
 constexpr double kTorqueOff = 0.12;
 constexpr double kTorqueOffShare = 0.4;
-constexpr double kErrorClamp = 2.0;  // times that: clamp of one sample's error
-// A motor is idle with less than this share of its command, if the command exceeds kMinCommandShare
-// of tau_max, in kMinIdleShare of samples: a dead motor in servo mode, see docs/faults.md.
+constexpr double kErrorClamp = 2.0;  // [tolerance] clamp of one sample's error
+// A motor is idle if its torque is below kIdleTorqueShare [command] and the command exceeds
+// kMinCommandShare [tau_max]. A motor that is idle in kMinIdleShare of the samples is weak. This
+// finds a dead motor that still reports servo mode, see docs/faults.md.
 constexpr double kIdleTorqueShare = 0.3;
 constexpr double kMinCommandShare = 0.05;
 constexpr double kMinIdleShare = 0.8;
-constexpr double kWeakTime = 0.05;  // [s] of the 0.15 s of fault_table(); below: impacts
-// Of tau_max: smaller alternations of torque do not count, nor do those below kAlternationRatio
-// times the commands'. Below: noise and one wrong sample; above: two programs in turn.
+// [s] Time for which a motor must deviate before it is weak. Must exceed impacts. Must be below the
+// 0.15 s of fault_table().
+constexpr double kWeakTime = 0.05;
+// Alternations of the measured torque count above kMinAlternation [tau_max] and above
+// kAlternationRatio [alternation of the commands]. Must exceed noise and one wrong sample. Must be
+// below the alternation that two programs in turn cause.
 constexpr double kMinAlternation = 0.03;
 constexpr double kAlternationRatio = 4.0;
-constexpr double kAlternationTime = 0.05;  // [s] smoothing; above: the 0.2 s of fault_table()
-// [s] smoothing: 120 deg C in 1 sample of 25 is no heat.
+// [s] Time constant of the alternations. Must be below the 0.2 s of fault_table().
+constexpr double kAlternationTime = 0.05;
+// [s] Time constant of the mean temperatures. Must be long enough that 120 deg C in one sample of
+// 25 is no fault.
 constexpr double kTemperatureTime = 0.5;
-// [s] before the robot sits down; with kTemperatureTime below the 2 s of fault_table().
+// [s] Time above temperature_stop before the robot sits down. The sum with kTemperatureTime must be
+// below the 2 s of fault_table().
 constexpr double kOverheatedTime = 0.5;
 
 bool is_idle(double commanded, double measured, double tau_max) noexcept {
@@ -83,8 +93,8 @@ void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log
   log.set(FaultId::kMotorMode, bad_modes_ >= kBadModes, bad);
 }
 
-// Commands and measurements pass the same filter. Its time constant is long enough that a motor's
-// delay and lag matter little beside the torque that a dead motor lacks.
+// Commands and measurements pass the same filter. Its time constant is so long that a motor's delay
+// and lag cause a smaller error than a dead motor.
 void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
                                 FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
@@ -99,7 +109,8 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
     const double off_by =
         std::clamp(tau_est - expected_[i], -kErrorClamp * allowed, kErrorClamp * allowed);
     measured_[i] += share * (expected_[i] + off_by - measured_[i]);
-    // Below a lightly loaded foot a dead motor is within the tolerance: count idle samples too.
+    // In a lightly loaded leg the error of a dead motor is within the tolerance, so idle samples
+    // count too.
     idle_share_[i] += share * (is_idle(expected_[i], tau_est, tau_max) - idle_share_[i]);
     const bool off =
         std::abs(measured_[i] - expected_[i]) > allowed || idle_share_[i] > kMinIdleShare;
@@ -112,8 +123,8 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
   log.set(FaultId::kMotorWeak, legs == 1, weak);
 }
 
-// Two programs that command in turn make the torques alternate, which the mean hides. A motor's
-// delay and lag do not add alternation to that of its commands.
+// Two programs that command in turn make the torques alternate; the mean torques do not show this.
+// A motor's delay and lag cannot make the torques alternate more than the commands.
 int MotorFaults::count_alternating_legs(const LowState& state, double dt, int lost_leg) noexcept {
   const double share = -std::expm1(-dt / kAlternationTime);
   int legs = 0, last_leg = -1;

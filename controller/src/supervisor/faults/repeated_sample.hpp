@@ -6,12 +6,13 @@
 
 namespace surefoot {
 
-/// Detects samples whose IMU and joint values repeat while the tick advances: the sensor board has
-/// stopped, the link works. Real-time: yes.
+/// Detects samples whose IMU and joint values repeat while the tick advances. The link then works,
+/// but the sensor board has stopped. Real-time: yes.
 class RepeatedSample {
  public:
-  /// [s] for which values may repeat. Derived: robots that measure at 50 Hz repeat them for 18 ms
-  /// at 500 Hz, and the last good command may be held for the other kHoldTime = 10 ms.
+  /// [s] Time for which values may repeat before they are too old. Derived: robots that measure at
+  /// 50 Hz repeat values for 18 ms at 500 Hz, and the last good command may be repeated for another
+  /// kHoldTime = 10 ms.
   static constexpr double kMaxAge = 0.010;
 
   /// Compare a sample with the previous one. @param step [s] between them
@@ -29,13 +30,14 @@ class RepeatedSample {
   }
   /// Return whether the values of the last sample are too old to act upon; 1e-9 s is for rounding.
   bool too_old() const noexcept { return repeat_time_ >= kMaxAge - 1e-9; }
-  /// Return whether the sensors have stopped. No robot measures at less than 50 Hz.
+  /// Return whether the sensors have stopped: the values have repeated for longer than at 50 Hz,
+  /// the lowest rate of a robot.
   bool stopped() const noexcept { return repeat_time_ >= kStopped; }
   /// Return whether the last sample had the same values as the one before.
   bool repeats() const noexcept { return repeat_time_ > 0.0; }
 
  private:
-  static constexpr double kStopped = 0.022;  // [s] derived: a period at 50 Hz and one at 500 Hz
+  static constexpr double kStopped = 0.022;  // [s] derived: one period at 50 Hz plus one at 500 Hz
   using Values = Eigen::Matrix<float, 42, 1>;
   Values last_values_ = Values::Constant(NAN);
   double repeat_time_ = 0.0;  // [s] for which the values have repeated

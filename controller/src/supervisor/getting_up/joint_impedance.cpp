@@ -13,23 +13,31 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand, against trips of the power protection. Measured with them: benchmarks/get_up.py,
-// 93 W at most at level 1 (100 W); benchmarks/false_trips.py. Tests: test_joint_impedance.cpp.
-// [rad] clamp of spring deflection. Below: LegFolding's lead (0.4); above: power of a released leg.
+// Chosen by hand, so that the power protection does not trip. Measured with these values: 93 W at
+// most at level 1 (100 W) in benchmarks/get_up.py; no trip in benchmarks/false_trips.py. Tests:
+// test_joint_impedance.cpp.
+// [rad] Largest spring deflection. Must exceed LegFolding's lead (0.4). Larger: a released leg
+// takes more power.
 constexpr double kMaxDeflection = 0.45;
-constexpr double kTorqueShare = 0.9;  // of a motor's torque limit: a margin
-constexpr double kLiftShare = 0.75;   // of it for holding; the rest is for lifting
-// [rad/s] ahead of its reference: the spring weakens, to zero within kReleaseSpeedRange more.
-// Below: joints that follow their reference; above: legs that come free reach 9 rad/s.
+constexpr double kTorqueShare = 0.9;  // [tau_max] largest torque: a margin
+// [tau_max] Largest torque for holding; the rest is for lifting.
+constexpr double kLiftShare = 0.75;
+// [rad/s] Velocity ahead of its reference above which a joint's spring is weakened; the spring
+// torque is zero from kReleaseSpeedRange more on. Must exceed the velocity errors of normal
+// tracking. Must be below 9 rad/s, which legs that come free reach.
 constexpr double kReleaseSpeed = 2.0;
 constexpr double kReleaseSpeedRange = 2.0;
-// [rad/s] of the body, between which the damping falls. Below: folding; above: bodies that tip over
-// a leg at 3 rad/s.
+// [rad/s] Turn rates of the body between which the damping is reduced. Must exceed turn rates while
+// legs fold. Must be below 3 rad/s, at which bodies tip over a leg.
 constexpr double kFallRateStart = 0.6;
 constexpr double kFallRateEnd = 1.6;
-constexpr double kMinDampingShare = 0.25;  // of the full damping: it takes power as the body falls
-constexpr double kSmoothing = 0.02;        // [s] of damping: ten periods, no step of torque
-constexpr double kLoadedShare = 0.1;       // of the weight: legs with this load are not caught
+// [full damping] Smallest damping. Must be above 0, because damping absorbs the energy of a falling
+// body.
+constexpr double kMinDampingShare = 0.25;
+// [s] Time constant of the damping: ten periods, so that the torque does not step.
+constexpr double kSmoothing = 0.02;
+// [m g] Load on the legs from which no leg can be caught on something.
+constexpr double kLoadedShare = 0.1;
 }  // namespace
 
 JointImpedance::JointImpedance(const Robot& robot, const RisePlan& plan, double watts)
@@ -62,14 +70,15 @@ void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
   damping_ += dt / (dt + kSmoothing) * (desired - damping_);
 }
 
-// A released spring with torque tau takes the power (tau - D dq) dq. Its maximum is tau^2 / (4 D),
-// at dq = tau / (2 D). 1e-9 [W] avoids a division by zero.
+// A released spring with torque tau takes the power (tau - D dq) dq. This power is largest at dq =
+// tau / (2 D), where it is tau^2 / (4 D). 1e-9 [W] avoids a division by zero.
 Vector12 JointImpedance::limit_released_power(const Vector12& pull) const noexcept {
   const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
   return pull * std::sqrt(std::min(1.0, power_limit_ / std::max(released, 1e-9)));
 }
 
-// Requires dynamics_.update() for the present pose.
+// Return the torques that hold the legs and the share `load` of the robot's weight [N.m]. Requires
+// dynamics_.update() for the present pose.
 Vector12 JointImpedance::gravity_torques(double load) noexcept {
   state_.f_sustained = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
   return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
@@ -96,10 +105,12 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = gravity_torques(load);
   Vector12 pull = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
-  // Legs of a lying body may be caught on something, also during the rear press: load is 0 there.
+  // The legs of a lying body may be caught on something. This includes the rear press, where `load`
+  // is 0.
   const Vector12 freed = limit_released_power(pull);
   pull = freed + smoothstep(load / kLoadedShare) * (pull - freed);
-  // A leg that slips off an obstacle must not run away: that alone takes more power than a rise.
+  // Weaken the spring of a leg that slips off an obstacle. If it ran away, it alone would take more
+  // power than a rise.
   for (int i = 0; i < kMotors; ++i) {
     const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
     pull[i] *= std::clamp(1.0 - (ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
@@ -109,14 +120,15 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   for (int i = 0; i < kMotors; ++i) {
     const double share = kTorqueShare * torque_share_[i], most = share * config.tau_max[i];
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], share);
-    // limit_power() moves torques towards `hold`. Its clamp does not depend on speed, so that a
-    // wrong speed in one sample does not drop the robot.
+    // limit_power() moves torques towards `hold`. The clamp of `hold` does not depend on the
+    // velocity, so that a wrong velocity in one sample does not drop the robot.
     hold[i] = std::clamp(hold[i], -most, most);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
   if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
   const double braking = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
-  // Counteract part of the motors' damping, so that the sum is closer to the holding torques.
+  // Counteract part of the motors' damping, so that the sum of torque and damping is closer to the
+  // holding torques.
   const Vector12 counter_torque = hold + (1.0 - braking) * damping_ * dq_;
   return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
 }

@@ -10,17 +10,19 @@
 namespace surefoot {
 
 /// Joint impedance of a robot that rises or sits: springs and dampers on top of gravity torques,
-///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref   and   -D dq   by the motors' own damping.
+///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref,   plus   -D dq   from the motors' damping.
 /// tau_hold needs only joint angles and the IMU's attitude.
 ///
-/// Damping: the motors provide it (Kd = D). When a leg slips off the ground its spring accelerates
-/// it at once, and torques two or three ticks later are too late for the power protection.
+/// Damping: the motor drivers compute it (Kd = D). When a leg slips off the ground, its spring
+/// accelerates it at once. Damping torques that are sent two or three ticks later would be too late
+/// for the power protection.
 ///
-/// Limits: spring deflection, motor limits and power are bounded. If damping alone takes more than
-/// the power limit, as in a leg that comes free from under the body, torques counteract part of it.
-/// A body that rolls off a leg drives its joints faster than torques can change. So the damping
-/// falls with the turn rate of the body (reduce_damping()), and with it the spring torque of lying
-/// legs (limit_released_power()). Real-time: yes.
+/// Limits: spring deflection, torques and power are limited. If the damping alone takes more than
+/// the power limit, for example in a leg that comes free from under the body, the torques sent
+/// counteract part of the damping. When a body rolls off a leg, it drives the joints faster than
+/// torques can change. So the damping is reduced with the turn rate of the body (reduce_damping()),
+/// and the spring torques of lying legs are reduced with the damping (limit_released_power()).
+/// Real-time: yes.
 class JointImpedance {
  public:
   /// @param watts limit of sum |tau dq| [W]
@@ -29,8 +31,9 @@ class JointImpedance {
   /// Read joints and attitude from a sample.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
-  /// Reduce the damping while the body turns; 0 restores it.
-  /// @param turn_rate of the body [rad/s] @param dt [s]
+  /// Reduce the damping while the body turns fast; restore it while turn_rate is low.
+  /// @param turn_rate of the body [rad/s]
+  /// @param dt [s]
   void reduce_damping(double turn_rate, double dt) noexcept;
   double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
@@ -44,19 +47,20 @@ class JointImpedance {
   /// @param load share of the robot's weight on the feet, 0 .. 1
   /// @return shape (12,), SDK motor order [N.m]
   Vector12 torques(const JointReference& reference, double load) noexcept;
-  /// Compute the torques that hold only the legs' own weight in the pose read, shape (12,), SDK
-  /// motor order [N.m].
+  /// Compute the torques that hold only the legs' own weight in the last pose read, shape (12,),
+  /// SDK motor order [N.m].
   Vector12 leg_gravity_torques() noexcept;
-  /// Return whether the motors can hold the whole robot in the pose read.
+  /// Return whether the motors can hold the whole robot in the last pose read.
   bool can_hold() noexcept;
-  /// Estimate the share of the robot's weight on the legs from measured torques, about 0 .. 1:
-  /// their projection onto the torques of a full load on four legs.
+  /// Estimate the share of the robot's weight on the legs, about 0 .. 1. The measured torques are
+  /// projected onto the torques of a full load on four legs.
+  /// @param measured joint torques, SDK motor order [N.m]
   double load_share(const Vector12& measured) noexcept;
 
  private:
   Vector12 gravity_torques(double load) noexcept;
-  /// Scale spring deflections [rad] so that all springs released at once stay within the power
-  /// limit.
+  /// Return the spring deflections [rad], scaled so that all springs together stay within the power
+  /// limit if they are released at once.
   Vector12 limit_released_power(const Vector12& pull) const noexcept;
 
   Robot robot_;

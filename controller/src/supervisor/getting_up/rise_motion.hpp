@@ -6,16 +6,17 @@
 
 namespace surefoot {
 
-/// Moves the joint reference along the path of RisePlan, up or down; go_to() may reverse it
+/// Moves the joint reference along the path of RisePlan, up or down. go_to() may reverse the motion
 /// anywhere.
 ///
-/// The rate ds/dt keeps the plan's limit and stops smoothly at the goal. On the way up the motion
-/// waits for joints that lag behind. Real-time: yes.
+/// The rate ds/dt stays within the plan's limit and falls smoothly to zero at the goal. On the way
+/// up the motion waits for joints that lag behind. Real-time: yes.
 class RiseMotion {
  public:
   explicit RiseMotion(const RisePlan& plan) : plan_(plan) {}
 
-  /// Start at s with the given joint angles. Their offset from the path fades out in a second.
+  /// Start at s with the given joint angles [rad]. Their offset from the path is faded out within a
+  /// second.
   void start(double s, const Vector12& joints) noexcept;
   /// Set the goal, s = 0 .. 1.
   void go_to(double s) noexcept {
@@ -25,26 +26,25 @@ class RiseMotion {
   /// Advance by dt [s] and return the reference. @param measured joint angles [rad]
   const JointReference& step(const Vector12& measured, double dt) noexcept;
 
-  /// Return s.
+  /// Return the present path parameter s, 0 .. 1.
   double position() const noexcept { return s_; }
   /// Return whether s is at the goal and the initial offset has faded out.
   bool arrived() const noexcept;
-  /// Return the planned share of the weight on the legs: 0 on the ground, 1 from a quarter of the
-  /// path on.
+  /// Return the planned share of the weight on the legs. It rises from 0 at s = 0 to 1 at s = 0.25.
   double load() const noexcept;
-  /// Return whether joints have lagged behind for kStallTimeout.
+  /// Return whether joints have lagged behind for longer than kStallTimeout.
   bool stuck() const noexcept { return stalled_time_ > kStallTimeout; }
 
  private:
-  static constexpr double kStallTimeout = 2.0;  // [s] chosen: about the time of a rise (1.9)
+  static constexpr double kStallTimeout = 2.0;  // [s] chosen: about the duration of a rise (1.9 s)
 
   RisePlan plan_;
   JointReference reference_;
-  Vector12 offset_ = Vector12::Zero();  // [rad] of the joints from the path, at the start
+  Vector12 offset_ = Vector12::Zero();  // [rad] offset of the joints from the path at the start
   double goal_ = 0.0;
-  double s_ = 0.0, ds_ = 0.0;  // [1], [1/s]
+  double s_ = 0.0, ds_ = 0.0;  // [1] path parameter, [1/s] its rate
   double time_ = 0.0;          // [s] since the start
-  double stalled_time_ = 0.0;  // [s]
+  double stalled_time_ = 0.0;  // [s] for which joints have lagged behind
 };
 
 }  // namespace surefoot

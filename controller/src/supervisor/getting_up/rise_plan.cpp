@@ -12,21 +12,28 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand; benchmarks/get_up.py covers them (1000 of 1000 drops stand).
-constexpr double kStopMargin = 0.1;    // [rad] kept from the joint limits; above the SDK's 0.087
-constexpr double kFoldedDepth = 0.14;  // of the standing foot depth: just above the ground, lying
-constexpr double kHipOutwardShare = 0.6;  // of the hip range; beyond it the thigh touches the trunk
-constexpr double kMaxHipOutward = 0.7;    // [rad] for wide hip ranges (go1, go2: 1.05)
-constexpr double kSpeedShare = 0.3;       // of the joints' velocity limits; kMaxRate binds first
-constexpr double kMaxRate = 0.8;  // [1/s] slow on purpose: 1.25 s of a rise of 1.9 (docs/faults.md)
-// [1/rad] K over m g and standing foot depth. Below: legs sag by 3 degrees; above: power of freed
-// legs, which grows with K.
+// Chosen by hand. benchmarks/get_up.py covers these values: 1000 of 1000 dropped robots stand.
+// [rad] Distance kept from the joint limits. Must exceed the SDK's 0.087.
+constexpr double kStopMargin = 0.1;
+// [standing foot depth] Foot depth of the folded pose: just above the ground when the body lies.
+constexpr double kFoldedDepth = 0.14;
+// [hip range] Hip angle outward for folding; at larger angles the thigh touches the trunk.
+constexpr double kHipOutwardShare = 0.6;
+// [rad] Largest hip angle outward for folding; needed for wide hip ranges (go1, go2: 1.05).
+constexpr double kMaxHipOutward = 0.7;
+// [dq_max] Largest joint velocity; with these robots ds/dt reaches kMaxRate first.
+constexpr double kSpeedShare = 0.3;
+// [1/s] Largest ds/dt. Slow on purpose: the path takes 1.25 s of a rise of 1.9 s (docs/faults.md).
+constexpr double kMaxRate = 0.8;
+// [1/rad] K / (m g times standing foot depth). Smaller: legs sag by more than 3 degrees. Larger:
+// freed legs take more power, which grows with K.
 constexpr double kStiffness = 1.05;
-// [s] D / K. Below: springs that are released too fast; above: what the motors' delay and lag leave
-// stable.
+// [s] D / K. Smaller: springs are released too fast. Larger: delay and lag of the motors make the
+// joints unstable.
 constexpr double kDampingTime = 0.03;
 
-/// Dynamics of the robot at rest with a level base at the origin; joint angles in SDK motor order.
+/// Dynamics of the robot at rest, with a level base at the world origin. Joint angles are in SDK
+/// motor order.
 class LyingPose {
  public:
   explicit LyingPose(const Robot& robot)
@@ -51,14 +58,15 @@ double foot_depth(LyingPose& pose, const Vector12& joints, int leg) {
   return -pose.at(joints).legs()[leg].p_world_contact.z();
 }
 
-// Keep the folded calf and put the foot straight below the hip.
+// Set the leg's thigh and calf: calf as in the folded pose, foot straight below the hip.
 void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
   joints[3 * leg + 2] = plan.folded[3 * leg + 2];
   joints[3 * leg + 1] = -0.5 * joints[3 * leg + 2];
 }
 
-// Bend the calf to near its stop; turn the thigh back, by bisection, until the foot is at `depth`.
-// 40 halvings of at most 4 rad leave 4e-12 rad.
+// Set the leg's thigh and calf: bend the calf to near its stop, then find by bisection the thigh
+// angle behind the hip at which the foot is at `depth` [m]. 40 halvings of at most 4 rad leave
+// 4e-12 rad.
 void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
   const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
   const bool negative = config.q_standing[calf] < 0.0;

@@ -13,24 +13,25 @@ namespace surefoot {
 /// The path is a parabola in joint space with parameter s = 0 .. 1:
 ///   q(s) = (1 - s)^2 folded + 2 s (1 - s) crouched + s^2 standing
 /// folded: legs beside the lying body, knees up, feet behind the hips. crouched: calves still
-/// folded, feet below the hips. The path bends towards `crouched`, so that the body is over its
-/// feet before it is up. On a straight line the body would be ahead of its feet for half of the
-/// path, and tip forward with a load or down a slope. All legs move alike, so the distances between
-/// feet stay constant and no foot slips.
+/// folded, feet below the hips. The path bends towards `crouched`, so that the body is above its
+/// feet before it rises. On a straight line the body would be ahead of its feet for half of the
+/// path, and would tip forward with a load or on a downward slope. All legs move alike, so the
+/// distances between the feet stay constant and no foot slips.
 struct RisePlan {
-  static constexpr int kSamples = 65;           ///< of s: 64 equal steps
-  Vector12 folded = Vector12::Zero();           ///< [rad] s = 0: feet just above the ground
-  Vector12 crouched = Vector12::Zero();         ///< [rad] the path bends towards it
-  Vector12 standing = Vector12::Zero();         ///< [rad] s = 1
-  Vector12 hip_outward = Vector12::Zero();      ///< [rad] hips outward for folding, 0 elsewhere
-  Vector12 hip_outward_max = Vector12::Zero();  ///< [rad] hips fully outward, 0 elsewhere
-  Vector12 lower = Vector12::Zero();            ///< [rad] joint limits less a margin
-  Vector12 upper = Vector12::Zero();            ///< [rad]
+  static constexpr int kSamples = 65;    ///< number of samples of s: 64 equal steps
+  Vector12 folded = Vector12::Zero();    ///< [rad] s = 0: feet just above the ground
+  Vector12 crouched = Vector12::Zero();  ///< [rad] pose that the path bends towards
+  Vector12 standing = Vector12::Zero();  ///< [rad] s = 1: the standing pose
+  /// [rad] Hip angles turned outward for folding; other joints 0.
+  Vector12 hip_outward = Vector12::Zero();
+  Vector12 hip_outward_max = Vector12::Zero();  ///< [rad] hip angles fully outward; other joints 0
+  Vector12 lower = Vector12::Zero();            ///< [rad] lower joint limits plus a margin
+  Vector12 upper = Vector12::Zero();            ///< [rad] upper joint limits minus a margin
   std::array<double, kSamples> rate{};          ///< [1/s] limit of ds/dt at s = k / (kSamples - 1)
-  double stiffness = 0.0;                       ///< [N.m/rad] K of JointImpedance, every joint
-  double damping = 0.0;                         ///< [N.m.s/rad] D of JointImpedance
-  double torque_share = 0.0;                    ///< greatest |tau_hold| / tau_max on the path
-  double time = 0.0;                            ///< [s] from folded to standing at those rates
+  double stiffness = 0.0;     ///< [N.m/rad] K of JointImpedance, the same for all joints
+  double damping = 0.0;       ///< [N.m.s/rad] D of JointImpedance, the same for all joints
+  double torque_share = 0.0;  ///< [tau_max] largest holding torque on the path
+  double time = 0.0;          ///< [s] duration from folded to standing at the limit of ds/dt
 
   /// Return the limit of ds/dt at s [1/s], interpolated.
   double rate_at(double s) const noexcept;
@@ -47,7 +48,7 @@ struct RisePlan {
   double nearest(const Vector12& joints) const noexcept;
 };
 
-/// Plan a rise. The rate keeps the power of the holding torques below `watts` [W],
+/// Plan a rise. The limit of ds/dt keeps the power of the holding torques below `watts` [W],
 ///   ds/dt <= watts / sum |tau_hold dq/ds|,
 /// and the joint velocities below a share of their limits. Throws surefoot::Error if the robot does
 /// not have twelve joints.

@@ -15,7 +15,7 @@ RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept {
   if ((lying && !context.ready) || (mode != Mode::kSit && context.must_sit)) {
     return RequestStatus::kNotReady;
   }
-  // A rise may be aborted at any time: TorqueFade can go back from any share.
+  // A rise may be aborted at any time, because TorqueFade can reverse a fade at any share.
   const bool busy = context.fading && context.mode != Mode::kRise;
   return busy ? RequestStatus::kBusy : RequestStatus::kAccepted;
 }

@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-/// State by which requests are judged. The tick publishes it.
+/// State of the supervisor that decides whether a request is accepted. The tick publishes it.
 struct RequestContext {
   Mode mode = Mode::kPassive;
   bool state_valid = false;  ///< valid samples arrive
@@ -23,8 +23,8 @@ RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept;
 /// Return whether the robot may be armed now, or why not. Real-time: yes.
 RequestStatus judge_arming(const RequestContext& context) noexcept;
 
-/// Mailbox of requests from any thread to the tick. It holds one request; while it is full, further
-/// requests are answered kBusy. A stop is kept apart and always gets through. Lock-free.
+/// Mailbox for requests from any thread to the tick. The mailbox holds one request; while it is
+/// full, further requests return kBusy. A stop has its own flag and is never refused. Lock-free.
 /// Real-time: yes.
 class Requests {
  public:

@@ -20,18 +20,19 @@ enum class TorqueSource { kDamping, kImpedance, kController };
 ///
 /// The caller computes both sources during the fade and sends
 ///   (1 - w) from + w to,   w = smoothstep(t / kTime)
-/// for torques and damping. A change back to the former source during a fade goes on from the share
-/// that this source still has. Real-time: yes.
+/// for torques and damping. If the fade is reversed before its end, it continues from the present
+/// weights. Real-time: yes.
 class TorqueFade {
  public:
-  /// [s] of a fade. Chosen: below, the torque rate (9.5 % of the limits in 2 ms); above, a robot
-  /// that sinks meanwhile, and requests that are refused as busy.
+  /// [s] Duration of a fade. Chosen. Shorter: torques change faster than TorqueRateLimiter allows
+  /// (9.5 % of the limits in 2 ms). Longer: the robot sinks during the fade, and requests are
+  /// refused as busy.
   static constexpr double kTime = 0.25;
 
-  /// Begin a fade to another source; no effect if `next` is already the goal.
+  /// Begin a fade to source `next`. No effect if `next` is already the goal.
   void start(TorqueSource next) noexcept {
     if (next == to_) return;
-    // Back to the former source: from the share that it still has.
+    // A reversed fade continues from the present weights.
     time_left_ = active() && next == from_ ? kTime - time_left_ : kTime;
     from_ = to_;
     to_ = next;
@@ -53,7 +54,7 @@ class TorqueFade {
 
  private:
   TorqueSource from_ = TorqueSource::kDamping, to_ = TorqueSource::kDamping;
-  double time_left_ = 0.0;  // [s] of the fade
+  double time_left_ = 0.0;  // [s] until the end of the fade
 };
 
 }  // namespace surefoot

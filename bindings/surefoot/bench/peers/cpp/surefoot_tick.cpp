@@ -54,7 +54,7 @@ class WholeTick {
   }
 
   void load(int tick) {
-    if (tick == 0) controller_.reset();  // otherwise its clock would go backwards
+    if (tick == 0) controller_.reset();  // otherwise the controller's clock would go backwards
     report_ = &reports_[tick];
   }
 

@@ -61,15 +61,15 @@ class Tsid {
 
  private:
   void check_joints() const {
-    const auto& names = robot_.model().names;  // after the universe and the root joint
+    const auto& names = robot_.model().names;  // skip the universe and the root joint
     if (!std::equal(names.begin() + 2, names.end(), problem_.names("joints").begin(),
                     problem_.names("joints").end())) {
       throw std::runtime_error("joints: got another order than in the states");
     }
   }
 
-  // eiquadprog-rt is faster, but its sizes are fixed at compile time: those of four legs with three
-  // joints each.
+  // eiquadprog-rt is faster, but its sizes must be known at compile time. They are those of four
+  // legs with three joints each.
   void make_solver(unsigned n, unsigned n_eq, unsigned n_in) {
     if (n == 30 && n_eq == 18 && n_in == 32) {
       solver_ = std::make_unique<tsid::solvers::SolverHQuadProgRT<30, 18, 32>>("solver");

@@ -80,8 +80,8 @@ inline double nanoseconds(clockid_t clock) {
 }
 
 /// Compute ticks on request until standard input ends.
-/// @param peer has load(tick) and read_result(), which are not timed, and tick(), which is
-/// @param versions versions of the libraries that it uses, JSON
+/// @param peer implementation; only its tick() is timed, load(tick) and read_result() are not
+/// @param versions versions of the libraries that the worker uses, JSON
 template <typename Peer>
 void serve(const Problem& problem, Peer& peer, const std::string& versions) {
   std::printf("{\"versions\": %s}\n", versions.c_str());

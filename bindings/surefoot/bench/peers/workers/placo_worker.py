@@ -66,7 +66,7 @@ class Placo:
         self.solution = self.solver.solve()
 
     def read_result(self) -> tuple[bool, Any, Any]:
-        """Return solved, forces (12,) and torques (nv - 6,)."""
+        """Return whether the tick was solved, forces (12,) [N] and torques (nv - 6,) [N.m]."""
         forces = [np.ravel(contact.wrench) for contact in self.contacts]
         return self.solution.success, np.concatenate(forces), self.solution.tau[6:]
 

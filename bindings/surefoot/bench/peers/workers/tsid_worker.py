@@ -18,13 +18,13 @@ class Tsid:
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         model = pin.buildModelFromUrdf(problem.urdf, pin.JointModelFreeFlyer())
-        problem.check_joints(list(model.names)[2:])  # after the universe and the root joint
+        problem.check_joints(list(model.names)[2:])  # skip the universe and the root
         self.robot = tsid.RobotWrapper(model, False)
         self.robot.set_rotor_inertias(problem.array("armature"))
         self.robot.set_gear_ratios(np.ones(problem.nv - 6))
         self.formulation = tsid.InverseDynamicsFormulationAccForce("tsid", self.robot, False)
         self.formulation.computeProblemData(0.0, problem.q[0], np.zeros(problem.nv))
-        self.kept_alive: list[Any] = []  # the formulation only holds references
+        self.kept_alive: list[Any] = []  # the formulation does not keep its tasks alive
         self.feet = problem.names("feet")
         for leg, foot in enumerate(self.feet):
             self._add_contact(problem, foot, problem.array("anchors")[3 * leg : 3 * leg + 3])
@@ -90,7 +90,7 @@ class Tsid:
         self.torques = self.formulation.getActuatorForces(self.solution)
 
     def read_result(self) -> tuple[bool, Any, Any]:
-        """Return solved, forces (12,) and torques (nv - 6,)."""
+        """Return whether the tick was solved, forces (12,) [N] and torques (nv - 6,) [N.m]."""
         forces = [self.formulation.getContactForce(foot, self.solution) for foot in self.feet]
         return self.solution.status == 0, np.concatenate(forces), self.torques
 

@@ -1,10 +1,10 @@
 """Main loop of a worker: read the problem, compute ticks on request, return times and results.
 
-A worker runs in the environment of the peer, without surefoot. Protocol: once ready, it writes a
-line of JSON with its versions to standard output. It then reads lines "play FIRST COUNT" from
-standard input, and writes for each tick, as float64: wall time [ns], CPU time [ns], solved (0 or
-1), 12 forces on the feet FR FL RR RL [N, world axes], and the joint torques [N.m, Pinocchio's
-order].
+A worker runs in the environment of the peer, without surefoot. Protocol: when the worker is ready,
+it writes a line of JSON with its versions to standard output. Then it reads lines "play FIRST
+COUNT" from standard input. For each tick it writes float64 values: wall time [ns], CPU time [ns],
+solved (0 or 1), 12 forces on the feet FR FL RR RL (world axes) [N], and the joint torques
+(Pinocchio's order) [N.m].
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ class Problem:
         self.urdf = str(file.parent / "robot.urdf")
 
     def names(self, key: str) -> list[str]:
-        """Return the words of a line."""
+        """Return the words of the line `key`."""
         return self._rows[key]
 
     def array(self, key: str) -> Any:
-        """Return the numbers of a line, shape (n,)."""
+        """Return the numbers of the line `key`, shape (n,)."""
         return np.array([float(word) for word in self._rows[key]])
 
     def check_joints(self, names: list[str]) -> None:
@@ -51,7 +51,7 @@ class Problem:
             raise ValueError(f"joints: got {names}, expected {self.names('joints')}")
 
     def number(self, key: str) -> float:
-        """Return the number of a line with one value."""
+        """Return the number of the line `key`, which has one value."""
         return float(self._rows[key][0])
 
 
@@ -70,9 +70,9 @@ def serve(make: Callable[[Problem], Any], packages: list[str]) -> None:
     """Build the peer's solver and compute ticks until standard input ends.
 
     Args:
-        make: Factory of an object with load(k), which sets state and target of tick k; tick(),
-            which is timed; and read_result() -> solved, forces (12,), torques (nv - 6,).
-        packages: Packages whose versions are returned.
+        make: Factory of the peer's object. load(k) sets state and target of tick k, tick() is
+            timed, and read_result() returns solved, forces (12,) and torques (nv - 6,).
+        packages: Names of the packages whose versions are written.
     """
     # Libraries may print: send their output to stderr, so that it does not mix with the replies.
     replies = os.fdopen(os.dup(1), "wb")

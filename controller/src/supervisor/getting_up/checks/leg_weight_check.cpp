@@ -11,10 +11,13 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. [s] of the hips' motion outward, and back: hips below 1 rad/s (test_rise_checks).
+// Chosen by hand.
+// [s] Duration of the hips' motion outward, and of the motion back. Hips stay below 1 rad/s
+// (test_rise_checks).
 constexpr double kMoveTime = 0.6;
-constexpr double kSettleTime = 0.15;    // [s] before torques count: five time constants D / K
-constexpr double kAveragingTime = 0.2;  // [s] over which torques are averaged: 100 ticks
+// [s] Pause before torques are averaged: five time constants D / K.
+constexpr double kSettleTime = 0.15;
+constexpr double kAveragingTime = 0.2;  // [s] duration of averaging: 100 ticks
 constexpr double kReturnTime = kMoveTime + kSettleTime + kAveragingTime;
 
 }  // namespace
@@ -51,14 +54,14 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
     reference_.dq[hip] = (q - reference_.q[hip]) / dt;
     reference_.q[hip] = q;
   }
-  // A failure ends the check before the hips are back.
+  // If the check fails, it ends before the hips are back.
   if (time_ >= kReturnTime && !averaged) judge();
   if (verdict_ == Verdict::kNone && time_ >= kReturnTime + kMoveTime) verdict_ = Verdict::kFits;
   return reference_;
 }
 
-// If the ratios of all legs are alike, the robot is another one. A single leg that differs is on
-// the wrong side. Ratios below 1e-3, or negative, count as 1e-3 in the logarithm.
+// If the ratios are wrong and alike, the robot is not that of the model. If one leg differs, it is
+// on the wrong side. In the logarithm, ratios below 1e-3 and negative ratios count as 1e-3.
 void LegWeightCheck::judge() noexcept {
   int worst = 0, heaviest = 0, count = 0;
   double off = -1.0, all = 0.0;

@@ -10,43 +10,52 @@ namespace surefoot {
 
 /// Leg weight check: compares the hip torques of a lying robot's folded legs with the model's.
 ///
-/// A leg that is held outward in the air needs a hip torque. Its sign shows the side of the body
-/// and the direction of the motor; its size shows the weight of the leg, and with it the size of
-/// the robot. Nothing else tells two swapped legs apart: their samples and commands agree.
+/// A leg that is held outward in the air needs a hip torque. The sign of the torque shows the side
+/// of the body and the direction of the motor. Its size shows the weight of the leg, and thus
+/// whether the robot is that of the model. No other measurement reveals two swapped legs, because
+/// their samples and commands agree with each other.
 ///
 /// The hips move outward by kHipOutward, because the body may rest on straight legs. A leg on the
 /// wrong side moves inward instead and soon lies on the ground. After a pause the torques are
-/// averaged, then the hips move back. The verdict is from ratio = measured / model of each leg:
-/// ratios that are wrong and alike mean another robot, one that differs means a wrong side.
+/// averaged, then the hips move back. The verdict uses ratio = measured / model of each leg. If all
+/// ratios are wrong by a similar factor, the robot is another one. If one ratio differs, this leg
+/// is on the wrong side.
 ///
-/// If legs of one side do not fold, the other side is weighed alone. The body may lean on these
-/// legs, which reduces or reverses their torque. So only kMaxPartialRatio is checked. Real-time:
-/// yes.
+/// If the legs of one side do not fold, the legs of the other side are weighed alone. The body may
+/// lean on the weighed legs, which reduces or reverses their torques. So only kMaxPartialRatio is
+/// checked. Real-time: yes.
 class LegWeightCheck {
  public:
-  // Chosen between measured ratios (benchmarks/false_trips.py, docs/faults.md): 0.92 to 1.07 for
-  // healthy robots with payloads to 30 % on slopes to 8 degrees; 4 to 12 for swapped legs, 7 for a
-  // b1 with the model of a go1. Tests: tests/cpp/test_rise_checks.cpp.
-  /// [rad] motion of the hips. Below: the body may rest on straight legs; above: the hips' range.
+  // Chosen between ratios measured with benchmarks/false_trips.py (docs/faults.md). Healthy robots
+  // with payloads up to 30 % on slopes up to 8 degrees: 0.92 to 1.07. Swapped legs: 4 to 12. A b1
+  // with the model of a go1: 7. Tests: tests/cpp/test_rise_checks.cpp.
+  /// [rad] Angle by which the hips move. Smaller: the body may still rest on straight legs. Larger:
+  /// it exceeds the range of the hips.
   static constexpr double kHipOutward = 0.35;
-  static constexpr double kMinRatio = 0.4;  ///< smallest ratio of a leg that hangs free ...
-  static constexpr double kMaxRatio = 2.5;  ///< ... greatest, with friction of its hip
-  /// Heaviest over lightest leg, below which they are alike: another robot, not a wrong side.
+  static constexpr double kMinRatio = 0.4;  ///< Smallest ratio of a leg that hangs free.
+  /// Largest ratio of a leg that hangs free, with friction of its hip.
+  static constexpr double kMaxRatio = 2.5;
+  /// Largest ratio of a leg divided by the smallest. Below this value the ratios are alike: another
+  /// robot, not a wrong side.
   static constexpr double kMaxSpread = 2.0;
-  static constexpr double kMinMeanRatio = 0.6;  ///< smallest mean ratio of all legs ...
-  static constexpr double kMaxMeanRatio = 1.5;  ///< ... greatest, with shin guards and the like
-  /// Greatest ratio where one side is weighed alone: below the 4 of swapped legs.
+  static constexpr double kMinMeanRatio = 0.6;  ///< Smallest mean ratio of all legs.
+  /// Largest mean ratio of all legs, with shin guards and the like.
+  static constexpr double kMaxMeanRatio = 1.5;
+  /// Largest ratio if one side is weighed alone. Must be below 4, the smallest ratio of swapped
+  /// legs.
   static constexpr double kMaxPartialRatio = 3.0;
 
   enum class Verdict { kNone = 0, kFits, kWrongSide, kWrongWeight };
 
   explicit LegWeightCheck(const RisePlan& plan) : plan_(plan) {}
 
-  /// Start the check. @param reference joint angles at the end of folding [rad]
+  /// Start the check.
+  /// @param reference joint angles at the end of folding [rad]
   /// @param legs folded legs that are weighed, FR FL RR RL
   void start(const Vector12& reference, const std::array<bool, kLegs>& legs) noexcept;
-  /// Advance by dt [s] and return the joint reference. @param measured joint torques [N.m]
-  /// @param model gravity torques of the legs [N.m]
+  /// Advance by dt [s] and return the joint reference.
+  /// @param measured joint torques, SDK motor order [N.m]
+  /// @param model gravity torques of the legs, SDK motor order [N.m]
   const JointReference& step(const Vector12& measured, const Vector12& model, double dt) noexcept;
   Verdict verdict() const noexcept { return verdict_; }
   /// Return the SDK number of the hip found on the wrong side, or -1.
@@ -58,10 +67,10 @@ class LegWeightCheck {
   RisePlan plan_;
   JointReference reference_;
   std::array<bool, kLegs> legs_ = {};
-  Vector12 q_start_ = Vector12::Zero();                 // [rad]
-  Eigen::Vector4d measured_ = Eigen::Vector4d::Zero();  // [N.m] hips, sums
-  Eigen::Vector4d model_ = Eigen::Vector4d::Zero();     // [N.m]
-  double time_ = 0.0;                                   // [s]
+  Vector12 q_start_ = Vector12::Zero();                 // [rad] joint angles at the start
+  Eigen::Vector4d measured_ = Eigen::Vector4d::Zero();  // [N.m] sums of measured hip torques
+  Eigen::Vector4d model_ = Eigen::Vector4d::Zero();     // [N.m] sums of the model's hip torques
+  double time_ = 0.0;                                   // [s] since the start
   Verdict verdict_ = Verdict::kNone;
   int motor_ = -1;
 };

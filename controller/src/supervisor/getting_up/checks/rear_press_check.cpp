@@ -8,12 +8,13 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand; benchmarks/get_up.py covers them. Below: the time of a rise; above: power.
-constexpr double kRate = 0.5;          // [1/s] of s: slower than RisePlan's 0.8 for all legs
-constexpr double kMinRate = 0.01;      // [1/s] near the goal: s arrives in finite time
-constexpr double kAcceleration = 4.0;  // [1/s^2] kRate in 1/8 s
-constexpr double kFollowTime = 0.3;    // [s] at full extension, for the body to follow
-constexpr double kSettleTime = 0.1;    // [s] before the press, for the body to lie still
+// Chosen by hand; benchmarks/get_up.py covers these values. Slower: a rise takes longer. Faster:
+// the press takes more power.
+constexpr double kRate = 0.5;      // [1/s] rate of s: slower than RisePlan's 0.8 for all legs
+constexpr double kMinRate = 0.01;  // [1/s] smallest rate near the goal: s arrives in finite time
+constexpr double kAcceleration = 4.0;  // [1/s^2] acceleration of s: kRate is reached in 1/8 s
+constexpr double kFollowTime = 0.3;    // [s] pause at full extension, in which the body follows
+constexpr double kSettleTime = 0.1;  // [s] pause before the press, in which the body comes to rest
 
 }  // namespace
 
@@ -33,7 +34,7 @@ const JointReference& RearPressCheck::step(const Quaternion& R_world_base, doubl
   return reference_;
 }
 
-// Yaw is ignored: any press turns a body that lies on few points.
+// Yaw is ignored, because any press turns a body that lies on few points.
 void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, double dt) noexcept {
   const bool at_end = s_ == (pressing_ ? kMaxExtension : 0.0);
   wait_time_ = at_end ? wait_time_ + dt : 0.0;

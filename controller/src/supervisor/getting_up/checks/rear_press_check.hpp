@@ -6,37 +6,46 @@
 
 namespace surefoot {
 
-/// Rear press check: the rear legs of a lying robot press, and its nose must go down.
+/// Rear press check: the rear legs of a lying robot press on the ground; the front of the body must
+/// then go down.
 ///
-/// Front and rear legs that are swapped on one side differ only in their effect on the body. So,
-/// before the body leaves the ground, the rear pair alone extends along the path of the rise, at
-/// most to s = kMaxExtension, until the nose is down by kMinNoseDown.
+/// If front and rear leg of one side are swapped, only the motion of the body shows it. So, before
+/// the body leaves the ground, the two rear legs alone extend along the path of the rise. They stop
+/// at s = kMaxExtension, or when the front of the body has gone down by kMinNoseDown.
 ///
-/// If the pair is in truth a diagonal one, it also rolls the body, and carries all of its weight; a
-/// true rear pair shares the weight with the nose. So a roll of kMaxRoll at kDiagonalLoad ends the
-/// press as a failure, and so does a nose that rises by kMaxNoseUp. Roll or load alone proves
-/// nothing: an off-centre payload rolls a body with a narrow nose, and some bodies are heavy at the
-/// rear. A failed press is repeated once, because the body may lie unevenly. If the legs find
-/// nothing to press on, the robot hangs and the check passes. Real-time: yes.
+/// If the two pressing legs are in truth a diagonal pair, they also roll the body and carry all of
+/// its weight; a true rear pair shares the weight with the front of the body. So the press fails if
+/// the body rolls by kMaxRoll while the legs carry kDiagonalLoad, or if the front rises by
+/// kMaxNoseUp. Roll or load alone proves nothing: an off-centre payload rolls a body with a narrow
+/// front, and some bodies are heavy at the rear. A failed press is repeated once, because the body
+/// may lie unevenly. If the legs carry less than kMinLoad, the robot hangs and the check passes.
+/// Real-time: yes.
 class RearPressCheck {
  public:
-  // Chosen between figures measured in simulation (docs/faults.md). A true rear pair rolls an a1,
-  // go1 and b1 by 0.1 degrees at most and carries up to 0.21 of an a1, go1 and go2; diagonal pairs
-  // roll a body by 0.4 degrees or more and carry 0.26 or more. Tests: test_rise_checks.cpp.
-  static constexpr double kMinNoseDown = 0.06;   ///< [rad] 3.4 degrees: pitch that passes
-  static constexpr double kMaxNoseUp = 0.012;    ///< [rad] 0.7 degrees: pitch that fails
-  static constexpr double kMaxRoll = 0.004;      ///< [rad] 0.2 degrees to either side
-  static constexpr double kDiagonalLoad = 0.24;  ///< share of the weight, by load_share()
-  static constexpr double kMinLoad = 0.1;  ///< share of the weight: below, nothing to press on
-  /// Greatest s of the rise path: chosen, enough for kMinNoseDown and not to raise the body.
+  // Chosen between values measured in simulation (docs/faults.md). True rear pair: rolls an a1, go1
+  // and b1 by 0.1 degrees at most, carries up to 0.21 of the weight of an a1, go1 and go2. Diagonal
+  // pair: rolls a body by 0.4 degrees or more, carries 0.26 or more. Tests: test_rise_checks.cpp.
+  /// [rad] 3.4 degrees: pitch of the front down that passes.
+  static constexpr double kMinNoseDown = 0.06;
+  /// [rad] 0.7 degrees: pitch of the front up that fails.
+  static constexpr double kMaxNoseUp = 0.012;
+  static constexpr double kMaxRoll = 0.004;  ///< [rad] 0.2 degrees: roll to either side that fails
+  /// [m g] Load on the legs, by load_share(), above which the pair is diagonal.
+  static constexpr double kDiagonalLoad = 0.24;
+  /// [m g] Load on the legs, by load_share(), below which the legs press on nothing.
+  static constexpr double kMinLoad = 0.1;
+  /// Largest s of the rise path. Chosen: large enough for kMinNoseDown, too small to raise the
+  /// body.
   static constexpr double kMaxExtension = 0.35;
 
   explicit RearPressCheck(const RisePlan& plan) : plan_(plan) {}
 
-  /// Start the check. @param reference joint angles of the folded legs [rad]
+  /// Start the check.
+  /// @param reference joint angles of the folded legs [rad]
   void start(const Vector12& reference) noexcept;
   /// Advance by dt [s] and return the joint reference.
-  /// @param R_world_base attitude by the IMU @param load JointImpedance::load_share()
+  /// @param R_world_base attitude from the IMU
+  /// @param load share of the weight on the legs, from JointImpedance::load_share()
   const JointReference& step(const Quaternion& R_world_base, double load, double dt) noexcept;
   bool passed() const noexcept { return is_lowered() && nose_went_down_; }
   bool failed() const noexcept { return is_lowered() && !nose_went_down_ && tries_ >= kTries; }
@@ -44,8 +53,8 @@ class RearPressCheck {
   static constexpr int motor() noexcept { return kLegJoints * kFirstLeg; }
 
  private:
-  static constexpr int kTries = 2;     // chosen: the body may lie unevenly at the first
-  static constexpr int kFirstLeg = 2;  // RR; RL is the other one
+  static constexpr int kTries = 2;     // chosen: the body may lie unevenly in the first try
+  static constexpr int kFirstLeg = 2;  // RR; the second pressing leg is RL
 
   void evaluate(const Quaternion& R_world_base, double load, double dt) noexcept;
   void step_path(double dt) noexcept;
@@ -53,12 +62,12 @@ class RearPressCheck {
 
   RisePlan plan_;
   JointReference reference_;
-  Vector12 q_start_ = Vector12::Zero();           // [rad]
+  Vector12 q_start_ = Vector12::Zero();           // [rad] joint angles at the start
   Quaternion R_before_ = Quaternion::Identity();  // attitude at the start of the press
   bool pressing_ = false, nose_went_down_ = false;
   int tries_ = 0;
-  double s_ = 0.0, ds_ = 0.0;  // [1] of the path, [1/s]
-  double wait_time_ = 0.0;     // [s] at either end of the motion
+  double s_ = 0.0, ds_ = 0.0;  // [1] path parameter, [1/s] its rate
+  double wait_time_ = 0.0;     // [s] for which s has been at the end of its motion
 };
 
 }  // namespace surefoot

@@ -9,27 +9,34 @@ namespace surefoot {
 
 namespace {
 
-// Angles chosen by hand for the shape of Unitree's legs, on poses that failed to fold. Measured:
-// benchmarks/get_up.py, 1000 of 1000 drops stand (250 of each robot). Tests: test_leg_folding.cpp.
-constexpr double kHipInward = 0.5;          // [rad] hip inward: the leg is under the body ...
-constexpr double kThighAhead = -0.3;        // [rad] thigh: ... and points ahead (below this)
-constexpr double kHipInwardRolled = 0.4;    // [rad] hip inward, after a roll
-constexpr double kStretchAheadLimit = 0.8;  // [rad] thigh: below, stretched ahead; above, behind
-constexpr double kMinStretchReach = -0.8;   // [rad] thigh must reach here to be stretched ahead
-constexpr double kStretchTolerance = 0.3;   // [rad] error of thigh and calf at which the hip opens
-constexpr double kKneeOutwardStart = -0.8;  // [rad] thigh: from here the hip turns outward ...
-constexpr double kKneeOutwardFull = 0.2;    // [rad] ... fully outward from here ...
-constexpr double kKneeOutwardEnd = 1.3;     // [rad] ... to here ...
-constexpr double kKneeUp = 2.2;             // [rad] ... and straight from here on
-constexpr double kKneeBack = 1.9;           // [rad] thigh: turned back along the body
-constexpr double kHipTolerance = 0.2;  // [rad] error of the hip up to which a knee is turned back
+// Angles chosen by hand for the shape of Unitree's legs, with poses that had failed to fold.
+// Measured with these values (benchmarks/get_up.py): 1000 of 1000 dropped robots stand, 250 of each
+// model. Tests: test_leg_folding.cpp. Thigh angles are positive in the folding direction, hip
+// angles inward.
+constexpr double kHipInward = 0.5;        // [rad] hip angle above which a leg is under the body ...
+constexpr double kThighAhead = -0.3;      // [rad] ... and thigh angle below which it points ahead
+constexpr double kHipInwardRolled = 0.4;  // [rad] kHipInward after a roll of the body
+// [rad] Thigh angle below which a leg is stretched ahead, else behind.
+constexpr double kStretchAheadLimit = 0.8;
+// [rad] A thigh with a limit above this is not stretched ahead.
+constexpr double kMinStretchReach = -0.8;
+// [rad] Error of thigh and calf below which the hip opens.
+constexpr double kStretchTolerance = 0.3;
+constexpr double kKneeOutwardStart = -0.8;  // [rad] thigh angle from which the hip turns outward
+constexpr double kKneeOutwardFull = 0.2;    // [rad] thigh angle from which the hip is fully outward
+constexpr double kKneeOutwardEnd = 1.3;     // [rad] thigh angle from which the hip turns back
+constexpr double kKneeUp = 2.2;             // [rad] thigh angle from which the hip is straight
+constexpr double kKneeBack = 1.9;  // [rad] thigh angle of a thigh turned back along the body
+// [rad] Error of the hip above which the thigh stays turned back.
+constexpr double kHipTolerance = 0.2;
 
-// Return a thigh angle, positive in folding direction.
+// Return the thigh angle x [rad] with its sign changed so that it is positive in the folding
+// direction.
 double folding_angle(const RisePlan& plan, int thigh, double x) noexcept {
   return std::copysign(1.0, plan.folded[thigh]) * x;
 }
 
-// Return the limit of the thigh against the folding direction [rad].
+// Return the thigh's limit at the end opposite to the folding direction [rad].
 double forward_limit(const RisePlan& plan, int thigh) noexcept {
   return plan.folded[thigh] > 0.0 ? plan.lower[thigh] : plan.upper[thigh];
 }

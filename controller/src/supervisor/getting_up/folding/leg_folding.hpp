@@ -12,45 +12,49 @@ namespace surefoot {
 
 /// Folding: moves the legs of a lying robot from any measured pose to RisePlan::folded.
 ///
-/// Every joint reference moves towards folding_target() and waits for a joint that lags. All legs
-/// move at once; if the body leans or has rolled, one diagonal pair waits (FoldingOrder, gain
+/// Every joint reference moves towards folding_target() and waits if its joint lags behind. All
+/// legs move at once. If the body leans or has rolled, one diagonal pair waits (FoldingOrder, gain
 /// fold_wait).
 ///
-/// Catching: a leg that does not move for kCatchTime has caught on something. It backs out, hip
-/// outward and calf open, further with each catch. On every second catch the leg rests and its
-/// neighbour on the same side backs out instead: it may have folded onto the leg. After kMaxCatches
-/// the folding is stuck().
+/// Catching: a leg that does not move for kCatchTime has caught on something. The leg backs out,
+/// hip outward and calf open, further with each catch. On every second catch the leg rests and its
+/// neighbour on the same side backs out instead, because the neighbour may have folded onto the
+/// leg. After kMaxCatches the folding is stuck().
 ///
-/// Rolling: if the body rolls over its legs, all legs are released for 1 s and fold again, those
-/// drawn in by a stretch. A body that rolls on after two releases has rolled_over(). Real-time:
-/// yes.
+/// Rolling: if the body rolls over its legs, all legs are released for 1 s and then fold again;
+/// legs that are drawn in then stretch first. If the body rolls on after two releases, it has
+/// rolled_over(). Real-time: yes.
 class LegFolding {
  public:
   /// @param wait gain fold_wait [s]
   LegFolding(const RisePlan& plan, double wait) : plan_(plan), wait_(wait) {}
   void set_wait(double wait) noexcept { wait_ = wait; }
 
-  /// Start folding. @param measured joint angles, SDK motor order [rad]
+  /// Start folding.
+  /// @param measured joint angles, SDK motor order [rad]
   /// @param up the world's vertical in base axes, unit length
   void start(const Vector12& measured, const Vector3& up) noexcept;
   /// Advance by dt [s] and return the joint reference.
   const JointReference& step(const Vector12& measured, const Vector3& up, double dt) noexcept;
   /// Return whether references and legs have reached RisePlan::folded.
   bool done() const noexcept { return done_; }
-  /// Return the folded legs of one side, to be weighed alone because the folding of all four may
-  /// never end: a leg of the other side has caught kMinCatches times, or the body has rolled. None
-  /// until kCatchesBetween more catches after side_weighed().
+  /// Return the folded legs of one side if this side is to be weighed alone, else no legs (all
+  /// false). A side is weighed alone if a leg of the other side has caught kMinCatches times or the
+  /// body has rolled, because the folding of all four legs may then never end. After
+  /// side_weighed(), no side is returned until a leg has caught kCatchesBetween more times.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
   /// Record that a side was weighed.
   void side_weighed() noexcept { next_weighing_ = most_catches() + kCatchesBetween; }
-  /// Return whether the body rolls over its folded legs; call it instead of step() while they are
-  /// weighed or press. If so, go on with step(): it releases the legs and folds them again.
+  /// Return whether the body rolls over its folded legs. Call this instead of step() while the legs
+  /// are weighed or press. If true, continue with step(), which releases the legs and folds them
+  /// again.
   /// @param held present reference of all legs
   bool detect_rollover(const JointReference& held, const Vector3& up, double dt) noexcept;
-  /// Return whether no leg can move: all have caught, none is folded, hips and tilt have hardly
-  /// changed, and the body has not rolled. The legs are then too heavy for the impedance, or held.
+  /// Return whether no leg can move: all legs have caught, no leg is folded, the hips and the tilt
+  /// have hardly changed, and the body has not rolled. The legs are then held, or too heavy for the
+  /// impedance.
   bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
-  /// Return whether the body rolls over the legs although they were released.
+  /// Return whether the body rolls over the legs although they were released twice.
   bool rolled_over() const noexcept { return rollover_.rolled_over(); }
   /// Return whether folding has taken too long, or a leg has caught too often.
   bool stuck() const noexcept {
@@ -58,26 +62,29 @@ class LegFolding {
   }
 
  private:
-  // Chosen by hand. Below: get-ups last 7 to 10 s in the median and 19 s at most (benchmarks/
-  // get_up.py). Test: folding_stops_after_several_retries_of_a_caught_leg (15 to 45 s).
-  static constexpr double kTimeout = 40.0;   // [s] since the start or the last release
-  static constexpr int kMaxCatches = 8;      // of one leg: 8 (kCatchTime + kBackOutTime) = 20 s
-  static constexpr int kMinCatches = 2;      // catches that healthy legs seldom reach
-  static constexpr int kCatchesBetween = 2;  // from one weighing of a side to the next
+  // Chosen by hand. Must exceed the duration of get-ups: median 7 to 10 s, 19 s at most
+  // (benchmarks/get_up.py). Test: folding_stops_after_several_retries_of_a_caught_leg (15 to 45 s).
+  // [s] Longest folding since the start or the last release.
+  static constexpr double kTimeout = 40.0;
+  // Largest number of catches of one leg: 8 (kCatchTime + kBackOutTime) = 20 s.
+  static constexpr int kMaxCatches = 8;
+  static constexpr int kMinCatches = 2;  // number of catches that healthy legs seldom reach
+  // Number of catches from one weighing of a side to the next.
+  static constexpr int kCatchesBetween = 2;
 
   struct Leg {
-    Vector3 q = Vector3::Zero();  // [rad] where it last moved or caught
-    double time = 0.0;            // [s] that it has been folding
-    double still_time = 0.0;      // [s] since it last moved
-    double back_out_time = 0.0;   // [s] of backing out left
-    double rest_time = 0.0;       // [s] of rest left, while its neighbour backs out
+    Vector3 q = Vector3::Zero();  // [rad] angles where the leg last moved or caught
+    double time = 0.0;            // [s] for which the leg has been folding
+    double still_time = 0.0;      // [s] since the leg last moved
+    double back_out_time = 0.0;   // [s] until the leg stops backing out
+    double rest_time = 0.0;       // [s] until the leg stops resting, while its neighbour backs out
     int catches = 0;
-    bool interfered = false;  // possible leg interference with its neighbour
+    bool interfered = false;  // whether the leg and its neighbour may block each other
   };
 
   void restart(const Vector12& measured, const Vector3& up) noexcept;
   void release_legs(const Vector12& measured, const Vector3& up, double dt) noexcept;
-  int most_catches() const noexcept;  // catches of the leg that has caught most often
+  int most_catches() const noexcept;  // largest number of catches of any leg
   void step_leg(int leg, const Vector12& measured, double dt) noexcept;
   FoldingOrder::Leg order_input(int leg, const Vector12& measured) const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
@@ -90,11 +97,11 @@ class LegFolding {
   std::array<Leg, kLegs> legs_;
   RolloverMonitor rollover_;
   FoldingOrder order_;
-  double wait_;                          // [s]
-  Vector12 q_start_ = Vector12::Zero();  // [rad] at the start
+  double wait_;                          // [s] gain fold_wait
+  Vector12 q_start_ = Vector12::Zero();  // [rad] joint angles at the start
   double tilt_start_ = 0.0;              // [rad] of the body at the start
   double time_ = 0.0;                    // [s] since the last start or release
-  int next_weighing_ = 0;                // catches from which a side is weighed again
+  int next_weighing_ = 0;                // number of catches from which a side is weighed again
   bool done_ = false;
 };
 

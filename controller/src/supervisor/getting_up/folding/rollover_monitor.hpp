@@ -10,9 +10,9 @@ namespace surefoot {
 /// Detects a lying body that rolls over its folding legs.
 ///
 /// A roll is a tilt above kRollTilt that has grown by kMinTiltIncrease. The legs are then released
-/// for kReleaseTime, early enough for the body to fall back; twice at most. A body that rolls on
-/// all the same has rolled over: its legs are not where the model has them, or an obstacle is in
-/// the way. Real-time: yes.
+/// for kReleaseTime, early enough for the body to fall back; this happens at most twice. If the
+/// body still rolls on, it has rolled over: legs are not where the model assumes them, or an
+/// obstacle is in the way. Real-time: yes.
 class RolloverMonitor {
  public:
   /// @param up the world's vertical in base axes, unit length
@@ -28,7 +28,7 @@ class RolloverMonitor {
     rolled_over_ = rolled_over_ || rolled_again || (rolls_ > 0 && tilt > kRolledOverTilt);
     if (releases_legs()) {
       release_time_left_ -= dt;
-      if (!releases_legs()) initial_tilt_ = tilt;  // as it lies now
+      if (!releases_legs()) initial_tilt_ = tilt;  // the pose after the release
       return;
     }
     if (rolls_ == kMaxRolls || !(tilt > kRollTilt && tilt > initial_tilt_ + kMinTiltIncrease))
@@ -36,29 +36,33 @@ class RolloverMonitor {
     ++rolls_;
     release_time_left_ = kReleaseTime;
   }
-  int rolls() const noexcept { return rolls_; }  ///< since start()
-  bool releases_legs() const noexcept {
-    return release_time_left_ > 0.0;
-  }  ///< the legs must be released now
+  int rolls() const noexcept { return rolls_; }  ///< number of rolls since start()
+  /// Return whether the legs must be released now.
+  bool releases_legs() const noexcept { return release_time_left_ > 0.0; }
   bool rolled_over() const noexcept { return rolled_over_; }
 
  private:
-  // Chosen between rises measured with benchmarks/false_trips.py (docs/faults.md): no trip of a go2
+  // Chosen between tilts measured with benchmarks/false_trips.py (docs/faults.md): no trip of a go2
   // in 515 rises.
-  static constexpr double kRollTilt = 0.44;         // [rad] 25 degrees: ArmingChecks' kMaxTilt ...
-  static constexpr double kMinTiltIncrease = 0.12;  // [rad] ... and 7 degrees over the initial tilt
-  static constexpr double kReleaseTime = 1.0;       // [s] until the body lies again
-  // [rad] 42 degrees. After a release healthy robots fall back from up to 0.7.
+  // [rad] 25 degrees: tilt above which a body may roll; same as kMaxTilt of ArmingChecks.
+  static constexpr double kRollTilt = 0.44;
+  // [rad] 7 degrees: increase of the tilt above which the body rolls.
+  static constexpr double kMinTiltIncrease = 0.12;
+  // [s] Duration of a release, until the body lies again.
+  static constexpr double kReleaseTime = 1.0;
+  // [rad] 42 degrees: tilt above which the body has rolled over. Must exceed 0.7, from which
+  // healthy robots fall back after a release.
   static constexpr double kRolledOverTilt = 0.74;
-  // [rad] 39.5 degrees. Healthy robots do not roll this far again after two releases. They may
-  // pitch as far, on a front leg caught below them, and come down when it comes free.
+  // [rad] 39.5 degrees: roll angle above which the body has rolled over after two releases. Healthy
+  // robots do not roll that far again. They may pitch that far on a front leg caught below the
+  // body, and come down when the leg comes free.
   static constexpr double kRepeatedRoll = 0.69;
-  static constexpr int kMaxRolls = 2;  // releases
+  static constexpr int kMaxRolls = 2;  // largest number of releases
 
-  double initial_tilt_ = 0.0;  // [rad] at the start, then after each release
+  double initial_tilt_ = 0.0;  // [rad] tilt at the start, then after each release
   int rolls_ = 0;
   bool rolled_over_ = false;
-  double release_time_left_ = 0.0;  // [s]
+  double release_time_left_ = 0.0;  // [s] until the release ends
 };
 
 }  // namespace surefoot
