@@ -74,8 +74,7 @@ void bind_imu(nb::module_& m) {
   def_array(imu, "accelerometer", &IMU::accelerometer,
             "Specific force [m/s^2], raw: +9.81 on z at rest. Read by StandController.");
   def_array(imu, "rpy", &IMU::rpy,
-            "Roll, pitch, yaw [rad] (ZYX). Surefoot does not read this\n"
-            "field.");
+            "Roll, pitch, yaw [rad] (ZYX). Surefoot does not read this field.");
   def_number(imu, "temperature", &IMU::temperature,
              "Temperature [deg C]. Surefoot does not read this field.");
 }
@@ -88,12 +87,16 @@ void bind_motor_state(nb::module_& m) {
              "Motor mode: 0x0A servo, 0x00 damping, 0x08 overheated. Read by Supervisor.");
   def_number(c, "q", &MotorState::q, "Joint angle [rad]. Read by StandController.");
   def_number(c, "dq", &MotorState::dq, "Joint velocity [rad/s]. Read by StandController.");
-  def_number(c, "ddq", &MotorState::ddq, "Joint acceleration [rad/s^2].");
+  def_number(c, "ddq", &MotorState::ddq,
+             "Joint acceleration [rad/s^2]. Surefoot does not read this field.");
   def_number(c, "tauEst", &MotorState::tauEst,
              "Joint torque estimated from the motor current [N.m]. Read by StandController.");
-  def_number(c, "q_raw", &MotorState::q_raw, "Reserved by the vendor.");
-  def_number(c, "dq_raw", &MotorState::dq_raw, "Reserved by the vendor.");
-  def_number(c, "ddq_raw", &MotorState::ddq_raw, "Reserved by the vendor.");
+  def_number(c, "q_raw", &MotorState::q_raw,
+             "Reserved by the vendor. Surefoot does not read this field.");
+  def_number(c, "dq_raw", &MotorState::dq_raw,
+             "Reserved by the vendor. Surefoot does not read this field.");
+  def_number(c, "ddq_raw", &MotorState::ddq_raw,
+             "Reserved by the vendor. Surefoot does not read this field.");
   def_number(c, "temperature", &MotorState::temperature,
              "Temperature [deg C]; lags behind the winding temperature. Read by Supervisor.");
   def_array(c, "reserve", &MotorState::reserve, "Reserved by the vendor.");
