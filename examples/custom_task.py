@@ -1,7 +1,4 @@
-"""A user task that keeps a camera on the trunk at a given height.
-
-Any Pinocchio frame works the same way.
-"""
+"""A user task that keeps a camera on the trunk at a given height; any Pinocchio frame works."""
 
 from __future__ import annotations
 

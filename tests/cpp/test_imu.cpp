@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "estimator/imu/imu_preprocessor.hpp"
-#include "estimator/imu/quaternion_check.hpp"
+#include "estimator/imu/imu_filter_input.hpp"
+#include "estimator/imu/quaternion_tilt_check.hpp"
 #include "robot_states.hpp"
 #include "surefoot/state_estimator.hpp"
 
@@ -70,7 +70,7 @@ struct TurningBase {
     imu.has_quaternion = true;
     imu.f_base = Vector3(0.0, 0.0, kGravity);
   }
-  ImuInput step(ImuPreprocessor& preprocessor, double feet = 1.0) {
+  ImuInput step(ImuFilterInput& preprocessor, double feet = 1.0) {
     return preprocessor.update(gains, imu, filter, dynamics, Eigen::Vector4d::Constant(feet),
                                kPeriod);
   }
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(sample_noise_is_estimated_within_10_percent_during_motion) 
   for (const double sigma : {0.03, 0.1, 0.6}) {
     std::mt19937 generator(7);
     std::normal_distribution<double> normal(0.0, sigma);
-    SampleNoise noise;
+    NoiseEstimator noise;
     noise.reset(0.1);
     BOOST_TEST(noise.sigma() == 0.1);
     for (int k = 0; k < 2500; ++k) {
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(sample_noise_is_estimated_within_10_percent_during_motion) 
     noise.update(Vector3::Constant(100.0), kPeriod);  // an impact
     BOOST_TEST(noise.sigma() < 1.3 * sigma);
   }
-  SampleNoise noise;
+  NoiseEstimator noise;
   noise.reset(0.1);
   for (int k = 0; k < 5000; ++k) noise.update(Vector3::Zero(), kPeriod);
   BOOST_TEST(noise.sigma() == 0.025);
@@ -197,7 +197,7 @@ BOOST_FIXTURE_TEST_CASE(three_stance_feet_determine_the_angular_rate, TurningBas
 }
 
 BOOST_FIXTURE_TEST_CASE(valid_sensor_is_averaged_over_the_tick, TurningBase) {
-  ImuPreprocessor preprocessor;
+  ImuFilterInput preprocessor;
   imu.w_base = Vector3(1.0, 0.0, 0.0);
   step(preprocessor);
   imu.w_base = Vector3(1.02, 0.0, 0.0);
@@ -218,7 +218,7 @@ BOOST_FIXTURE_TEST_CASE(valid_sensor_is_averaged_over_the_tick, TurningBase) {
 BOOST_FIXTURE_TEST_CASE(frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates, TurningBase) {
   imu.gyroscope = SensorVerdict::kConstant;
   imu.w_base = Vector3(9.0, 9.0, 9.0);
-  ImuPreprocessor preprocessor;
+  ImuFilterInput preprocessor;
   const ImuInput by_legs = step(preprocessor);
   BOOST_TEST((by_legs.w_base - w_base).norm() < 1e-9);
   imu.R_world_base = imu.R_world_base * exp_so3(kPeriod * Vector3(0.2, 0.3, -0.1));
@@ -244,7 +244,7 @@ BOOST_FIXTURE_TEST_CASE(stopped_accelerometer_is_replaced_by_gravity_with_high_v
   const Quaternion tilted(Eigen::AngleAxisd(0.3, Vector3::UnitX()));
   filter.reset(tilted, Vector3::Zero(), Vector3::Zero(), FeetMatrix::Zero(), {});
   imu.f_base = Vector3(20.0, 0.0, 0.0);
-  ImuPreprocessor preprocessor;
+  ImuFilterInput preprocessor;
   step(preprocessor);
   imu.accelerometer = SensorVerdict::kConstant;
   const ImuInput out = step(preprocessor);
@@ -254,7 +254,7 @@ BOOST_FIXTURE_TEST_CASE(stopped_accelerometer_is_replaced_by_gravity_with_high_v
 
 BOOST_AUTO_TEST_CASE(quaternion_disagrees_after_1_s_of_contradiction) {
   const auto after = [](double seconds, const Quaternion& vendor, double sigma,
-                        QuaternionCheck& check) {
+                        QuaternionTiltCheck& check) {
     ImuReading imu;
     imu.has_quaternion = true;
     imu.R_world_base = vendor;
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(quaternion_disagrees_after_1_s_of_contradiction) {
   };
   const Quaternion tilted(Eigen::AngleAxisd(0.15, Vector3::UnitY()));
   const Quaternion turned(Eigen::AngleAxisd(2.0, Vector3::UnitZ()));
-  QuaternionCheck check;
+  QuaternionTiltCheck check;
   BOOST_TEST((check.verdict() == SensorVerdict::kUnjudged));
   BOOST_TEST((after(3.0, turned, 0.0, check) == SensorVerdict::kGood));  // yaw is not observable
   BOOST_TEST((after(0.98, tilted, 0.01, check) == SensorVerdict::kGood));
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(accelerometer_starts_the_estimator_without_a_quaternion) {
 
 // The legs and the vendor's quaternion agree with each other, but not with the gyroscope.
 BOOST_FIXTURE_TEST_CASE(legs_and_quaternion_outvote_a_wrong_gyroscope, TurningBase) {
-  ImuPreprocessor preprocessor;
+  ImuFilterInput preprocessor;
   const auto turn = [&](const Vector3& w) {
     imu.R_world_base = imu.R_world_base * exp_so3(kPeriod * w);
   };
@@ -317,7 +317,7 @@ BOOST_FIXTURE_TEST_CASE(legs_and_quaternion_outvote_a_wrong_gyroscope, TurningBa
 BOOST_FIXTURE_TEST_CASE(legs_alone_do_not_outvote_the_gyroscope, TurningBase) {
   imu.w_base = w_base + Vector3(3.0, 0.0, 0.0);
   for (const bool turns : {true, false}) {
-    ImuPreprocessor preprocessor;
+    ImuFilterInput preprocessor;
     for (int k = 0; k < 5; ++k) {
       if (turns) imu.R_world_base = imu.R_world_base * exp_so3(kPeriod * imu.w_base);
       step(preprocessor);

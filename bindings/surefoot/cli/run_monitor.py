@@ -13,12 +13,14 @@ from surefoot.cli.run_operator import ArmingMonitor, Operator
 from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
 from surefoot.reports.damping_reason import damping_reason
 
-# Chosen: below the 0.05 s of published snapshots (kPublishPeriod).
-_POLL_PERIOD = 0.02  # [s] time between two snapshots of the loop
+# [s] Time between two snapshots of the loop. Chosen. Shorter than the 0.05 s of published snapshots
+# (kPublishPeriod).
+_POLL_PERIOD = 0.02
 # Chosen for a person.
 _STATUS_PERIOD = 1.0  # [s] time between two status lines
-# Chosen. Below: load of the machine; above: a key that acts unexpectedly late.
-_STUCK_TIME = 0.5  # [s] time between two polls above which typed keys are discarded
+# [s] Time between two polls above which typed keys are discarded. Chosen. Longer than delays by the
+# load of the machine. If larger: a key acts unexpectedly late.
+_STUCK_TIME = 0.5
 _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 

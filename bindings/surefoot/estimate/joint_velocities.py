@@ -10,8 +10,9 @@ from surefoot.geometry.batch_rotations import Array
 
 # Derived from delay and noise:
 CUTOFF_HZ = 50.0  # [Hz] delays dq by 3 ms; encoder steps of 3e-5 rad at 500 Hz give 0.004 rad/s
-# Chosen: five samples at 500 Hz; above: a joint that stops must not drift on.
-HOLD_TIME = 0.010  # [s] time after which a joint with a repeated angle counts as still
+# [s] Time after which a joint with a repeated angle counts as still. Chosen. Five samples at 500
+# Hz. If larger: a joint that stops drifts on.
+HOLD_TIME = 0.010
 METHOD = (
     f"from q: differences between samples, causal first-order low-pass at {CUTOFF_HZ:g} Hz; a "
     f"repeated angle is an old sample for {1000 * HOLD_TIME:g} ms, then a joint at rest"

@@ -18,8 +18,9 @@ from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS, COLUMN_BY_NAME
 
-# Chosen. Below: noise of the estimate adds length; above: turns are cut.
-PATH_INTERVAL = 0.1  # [s] time between two points of the polyline whose length is computed
+# [s] Time between two points of the polyline whose length is computed. Chosen. If smaller: noise of
+# the estimate adds length. If larger: turns are cut.
+PATH_INTERVAL = 0.1
 
 
 def summarise(estimate: Estimate) -> dict[str, Any]:

@@ -12,13 +12,15 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rpy_fro
 from surefoot.messages.low_state_layout import LEGS
 
 GRAVITY = 9.81
-# Chosen. Before: a foot that is unloaded slowly; after: the slowest detection.
+# Chosen. The range begins earlier than the estimate for a foot that is unloaded slowly, and ends
+# later than the slowest detection.
 MATCH_BEFORE, MATCH_AFTER = (
     -0.1,
     0.3,
 )  # [s] range of the delay from a true transition to an estimated transition that matches
-# Chosen: above the rounding of a simulation; far below the weight of a foot.
-MIN_CONTACT_FORCE = 1.0  # [N] force above which a foot is loaded, in a log without truth_contact
+# [N] Force above which a foot is loaded, in a log without truth_contact. Chosen. Larger than the
+# rounding of a simulation, far smaller than the weight of a foot.
+MIN_CONTACT_FORCE = 1.0
 
 
 def truth_summary(estimate: Estimate) -> dict[str, Any]:

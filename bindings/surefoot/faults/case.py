@@ -9,7 +9,6 @@ from surefoot.faults.expectation import REFUSE, Expectation
 from surefoot.faults.kinds.fault import Fault
 
 MODES = ("lying", "rising", "standing", "pushed")
-OFF_GROUND_MODES = ("rising", "standing", "pushed")
 STANDING_MODES = ("standing", "pushed")
 
 

@@ -18,7 +18,7 @@ from surefoot._core import (
     SupervisorOptions,
 )
 from surefoot.replay.build_id import build_id
-from surefoot.replay.options import json_options, options_from_json
+from surefoot.replay.options_json import json_options, options_from_json
 from surefoot.robot.gain_files import gain_values, gains_from_values
 
 Bytes = npt.NDArray[np.uint8]

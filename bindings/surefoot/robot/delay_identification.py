@@ -11,12 +11,15 @@ from surefoot._core import Error
 
 # Chosen: an eighth of a period at 500 Hz. tests/closed_loop/test_delay_identification.py.
 _RESOLUTION = 0.25e-3  # [s] step between two delays that the search tries
-# Chosen: above a motor lag of 1 to 4 ms; below: body motion changes tauEst by itself.
-_DIFFERENCE_TIME = 0.01  # [s] interval of a torque change; motor lag blurs shorter changes
-# Chosen: above the resolution of torques in a frame, 1/256 N.m.
-_MIN_TORQUE_CHANGE = 0.02  # [N.m] smallest RMS torque change per tick that is more than noise
-# Chosen: 1 without noise; a robot at rest or a wrong log explains less.
-_MIN_FIT = 0.8  # smallest accepted result of _explained_share()
+# [s] Interval of a torque change; motor lag blurs shorter changes. Chosen. Longer than a motor lag
+# of 1 to 4 ms. If larger: body motion changes tauEst by itself.
+_DIFFERENCE_TIME = 0.01
+# [N.m] Smallest RMS torque change per tick that is more than noise. Chosen. Larger than the
+# resolution of torques in a frame, 1/256 N.m.
+_MIN_TORQUE_CHANGE = 0.02
+# Smallest accepted result of _explained_share(). Chosen. Smaller than 1, the result without noise.
+# If smaller: a robot at rest or a wrong log, which explain less, are accepted.
+_MIN_FIT = 0.8
 
 Array = npt.NDArray[np.float64]
 

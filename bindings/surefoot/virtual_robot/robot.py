@@ -21,8 +21,8 @@ from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import DatagramPort
 from surefoot.virtual_robot.watchdog import Watchdog
 
-# [s] Time between two checks for a fall. Chosen: a fall lasts some tenths of a second, and a check
-# in every cycle would cost time.
+# [s] Time between two checks for a fall. Chosen. If smaller: the checks cost more time. Shorter
+# than a fall, which lasts some tenths of a second.
 _FALL_CHECK_PERIOD = 0.02
 _LYING_RNG_STREAM = 12  # random stream of the lying pose; the plant uses 0 .. 3, the link 10, 11
 

@@ -9,12 +9,13 @@
 namespace surefoot {
 
 namespace {
-// Largest number of Newton steps. Chosen: each step doubles the number of correct digits, so if
-// more steps were needed there is no solution.
+// Largest number of Newton steps. Chosen. If larger: no further solution is found, because each
+// step doubles the number of correct digits.
 constexpr int kIterations = 6;
-// [m] Foot error below which a solution is accepted. Chosen below the encoders' resolution, 6e-6 m.
+// [m] Foot error below which a solution is accepted. Chosen. Smaller than the encoders' resolution,
+// 6e-6 m.
 constexpr double kTolerance = 1e-6;
-// [rad] Largest change of a joint in one step. Chosen: a larger change could fold a leg over.
+// [rad] Largest change of a joint in one step. Chosen. If larger: a leg could fold over.
 constexpr double kMaxJointStep = 0.2;
 // [m^3] Determinant of the leg Jacobian below which the leg is singular. Numerical: with links of
 // 0.2 m determinants are about 0.2^3 = 8e-3.

@@ -10,23 +10,25 @@ namespace {
 // [s] Time constant of the filter that gives the angular acceleration. Equal to
 // LegForces::kFilterTime.
 constexpr double kRateFilterTime = 0.005;
-// [m/s] Speed of the base above which its motion counts in path_length. Chosen. Below: velocity
-// noise of a robot at rest; above: slow motion must count, because the variance of the position
-// grows with path_length (gain leg_scale).
+// [m/s] Speed of the base above which its motion counts in path_length. Chosen. Larger than the
+// velocity noise of a robot at rest. If larger: slow motion does not count, although the variance
+// of the position grows with path_length (gain leg_scale).
 constexpr double kMinTravelSpeed = 0.05;
-// [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen:
-// larger than the velocity error after a blow that saturates the accelerometer;
+// [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen.
+// Larger than the velocity error after a blow that saturates the accelerometer. Test:
 // test_estimate_recovers_from_a_saturated_accelerometer.
 constexpr double kVelocitySigma = 1.0;
 // Contact confidence above which a foot counts as a stance foot for FootNoise and for the recovery
-// from rejected feet. Chosen. Below: 0.5, reached half-way through contact_dwell; above: 1, which a
-// foot with one dissenting source may never reach.
+// from rejected feet. Chosen. Larger than 0.5, which is reached half-way through contact_dwell;
+// smaller than 1, which a foot with one dissenting source may never reach.
 constexpr double kStanceConfidence = 0.9;
-// [rad/s] Angular rate below which the body counts as at rest. Chosen. Below: bias and noise of the
-// gyroscope (0.02 and 0.01 rad/s by default); above: a rotation with centripetal acceleration.
+// [rad/s] Angular rate below which the body counts as at rest. Chosen. Larger than bias and noise
+// of the gyroscope (0.02 and 0.01 rad/s by default). If larger: a rotation with centripetal
+// acceleration counts as rest.
 constexpr double kRestRate = 0.2;
 // A robot is supported when both values are exceeded.
-// Load of all feet, as a share of the weight. Chosen: the load is 0 in the air and 1 at rest.
+// Load of all feet, as a share of the weight. Chosen. Larger than 0, the load in the air; smaller
+// than 1, the load at rest.
 constexpr double kSupportedShare = 0.4;
 // Sum of the contact confidences. Derived: half-way between two feet and three.
 constexpr double kMinContactSum = 2.5;

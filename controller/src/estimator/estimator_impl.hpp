@@ -11,9 +11,9 @@
 #include "estimator/filter/foot_motion_model.hpp"
 #include "estimator/filter/foot_noise.hpp"
 #include "estimator/filter/invariant_filter.hpp"
-#include "estimator/imu/imu_preprocessor.hpp"
+#include "estimator/imu/imu_filter_input.hpp"
 #include "estimator/imu/imu_reader.hpp"
-#include "estimator/imu/quaternion_check.hpp"
+#include "estimator/imu/quaternion_tilt_check.hpp"
 #include "surefoot/state_estimator.hpp"
 
 namespace surefoot {
@@ -51,8 +51,8 @@ struct StateEstimator::Impl {
   Dynamics dynamics;
   ImuReader imu_reader;
   ImuReading imu;
-  ImuPreprocessor imu_preprocessor;
-  QuaternionCheck quaternion_check;
+  ImuFilterInput imu_preprocessor;
+  QuaternionTiltCheck quaternion_check;
   InvariantFilter filter;
   FootNoise foot_noise;
   FootMotionModel foot_motion;

@@ -9,18 +9,20 @@ namespace surefoot {
 
 namespace {
 
-// [rad] Smallest initial standard deviation of the tilt. Chosen: the 3 deg of kMaxTiltDifference.
+// [rad] Smallest initial standard deviation of the tilt. Chosen. Equal to kMaxTiltDifference, 3
+// deg.
 constexpr double kMinTiltSigma = 0.05;
 // Largest difference between the norm of the specific force at rest and g, as a share of g. Chosen.
-// Below: bias and scale error of an accelerometer (start_accelerometer_bias is 0.01 g); above:
-// accelerations of a robot that moves.
+// Larger than bias and scale error of an accelerometer (start_accelerometer_bias is 0.01 g),
+// smaller than the accelerations of a robot that moves.
 constexpr double kRestTolerance = 0.1;
-// [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen. Below: 0.6
-// deg, the tilt error by a bias of 0.1 m/s^2; above: 5 deg, kMaxTiltDifference of QuaternionCheck.
+// [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen. Larger than
+// 0.6 deg, the tilt error by a bias of 0.1 m/s^2; smaller than 5 deg, kMaxTiltDifference of
+// QuaternionTiltCheck.
 constexpr double kMaxTiltDifference = 0.05;
-// [rad] Standard deviation of the tilt below which the filter estimates biases, 2 deg. Chosen:
-// below kMinTiltSigma, so that alignment always takes place; above 0.6 deg, the tilt error by an
-// accelerometer bias, which is not observable.
+// [rad] Standard deviation of the tilt below which the filter estimates biases, 2 deg. Chosen.
+// Smaller than kMinTiltSigma, so that alignment always takes place; larger than 0.6 deg, the tilt
+// error by an accelerometer bias, which is not observable.
 constexpr double kAlignedTiltSigma = 0.035;
 
 // Remove the heading from an attitude: the world frame has the heading of the base at the first

@@ -8,8 +8,9 @@
 namespace surefoot {
 
 namespace {
-// [s] Longest time step that one sample can describe. Chosen. Below: 0.01 s, the period at 100 Hz;
-// above: the controller damps after 0.1 s without a sample (kRobotWatchdogTime).
+// [s] Longest time step that one sample can describe. Chosen. Longer than 0.01 s, the period at 100
+// Hz; not longer than 0.1 s, the time without a sample after which the controller damps
+// (kRobotWatchdogTime).
 constexpr double kMaxTimeStep = 0.1;
 }  // namespace
 

@@ -6,15 +6,15 @@
 namespace surefoot {
 
 namespace {
-// Chosen; covered by test_tick_sequence.cpp.
-// Number of old samples in a row that show a restart. Fewer could be reordered samples. More would
-// leave the robot without control for longer than 10 ms at 500 Hz.
+// Number of old samples in a row that show a restart. Chosen: fewer could be reordered samples;
+// more would leave the robot without control for longer than 10 ms at 500 Hz. Test:
+// test_tick_sequence.cpp.
 constexpr int kRestartSamples = 5;
-// [s] Shortest arrival time of these samples, per tick. Derived: half of the 1 ms that a tick
-// lasts. Late samples in a burst arrive faster.
+// [s] Smallest mean spacing of the arrivals of these samples, per millisecond of LowState::tick.
+// Derived: half of the true spacing of 1 ms. Late samples in a burst arrive closer together.
 constexpr double kMinTickDuration = 0.5e-3;
-// Number of equal steps in a row that set a new period. Fewer could come from single lost samples.
-// More would miscount lost samples for longer.
+// Number of equal steps in a row that set a new period. Chosen: fewer could come from single lost
+// samples; with more, lost samples would be miscounted for longer. Test: test_tick_sequence.cpp.
 constexpr int kStepsToShortenPeriod = 2, kStepsToLengthenPeriod = 8;
 }  // namespace
 
@@ -60,6 +60,7 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
   }
   behind_count_ = rising ? behind_count_ + 1 : 1;
   behind_tick_ = tick;
+  // The old samples arrive at the pace of the robot's clock, not in a burst.
   const bool paced = time - behind_start_time_ >= kMinTickDuration * (tick - behind_first_tick_);
   if (behind_count_ >= kRestartSamples && (paced || !recent)) {
     begin(tick);
@@ -69,8 +70,8 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
   return Arrival::kReordered;
 }
 
-// Lost samples lengthen a step. So a shorter step becomes the period after fewer repetitions than a
-// longer step.
+// Learn the period. A step longer than the period may come from lost samples, a shorter step
+// cannot. So a shorter step needs fewer repetitions to become the new period.
 void TickSequence::update_period(std::uint32_t step) noexcept {
   step_repeats_ = step == step_ ? step_repeats_ + 1 : 1;
   step_ = step;

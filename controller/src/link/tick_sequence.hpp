@@ -8,24 +8,28 @@ namespace surefoot {
 
 /// Classifies samples by LowState::tick, and counts lost ones. Real-time: yes.
 ///
-/// Ticks count milliseconds. The period of the samples is learnt: the step between ticks that
-/// repeats. Five rising ticks in a row, all older than the newest, mean that the robot has
-/// restarted. Old ticks of the last second may also belong to late samples that the network
-/// delivers in a burst. So such samples must also arrive at the pace of the robot to count as a
-/// restart.
+/// LowState::tick counts milliseconds of the robot's clock. The period of the samples is learnt: it
+/// is the difference between successive ticks, once the same difference has occurred several times
+/// in a row. Five rising ticks in a row, all older than the newest, mean that the robot has
+/// restarted. Ticks less than about 1 s older than the newest may also belong to late samples that
+/// the network delivers in a burst. Such samples count as a restart only if they also arrive at the
+/// pace of the robot's clock.
 class TickSequence {
  public:
   enum class Arrival { kNewer, kDuplicate, kReordered, kRestarted };
 
-  /// Classify a valid sample by its tick. @param time of its arrival [s], on any steady clock
+  /// Classify a valid sample by its tick.
+  /// @param tick LowState::tick of the sample [ms]
+  /// @param time arrival time of the sample [s], on any steady clock
   Arrival classify(std::uint32_t tick, double time) noexcept;
 
-  /// Number of samples that are missing since the first call of classify().
+  /// Return the number of samples lost since the first call of classify().
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:
   void begin(std::uint32_t tick) noexcept;
   Arrival classify_ahead(std::uint32_t step) noexcept;
+  // @param behind distance of `tick` behind the newest tick [ms]
   Arrival classify_behind(std::uint32_t tick, std::uint32_t behind, double time) noexcept;
   void update_period(std::uint32_t step) noexcept;
 
@@ -36,13 +40,13 @@ class TickSequence {
   bool started_ = false;
   std::uint32_t newest_tick_ = 0;
   std::bitset<kWindow> received_;        // bit k: newest_tick_ - k has arrived
-  std::uint32_t period_ = 0;             // [ms] between samples; 0: not known yet
-  std::uint32_t step_ = 0;               // [ms] between the newest two samples
-  int step_repeats_ = 0;                 // equal steps in a row
-  std::uint32_t behind_tick_ = 0;        // last tick of the present row of old samples
-  int behind_count_ = 0;                 // length of that row
-  std::uint32_t behind_first_tick_ = 0;  // first tick of that row
-  double behind_start_time_ = 0.0;       // [s] arrival time of that first tick
+  std::uint32_t period_ = 0;             // [ms] period of the samples; 0: not known yet
+  std::uint32_t step_ = 0;               // [ms] last difference of successive ticks
+  int step_repeats_ = 0;                 // number of equal differences in a row
+  std::uint32_t behind_tick_ = 0;        // [ms] last tick of the present row of old samples
+  int behind_count_ = 0;                 // number of samples in that row
+  std::uint32_t behind_first_tick_ = 0;  // [ms] first tick of that row
+  double behind_start_time_ = 0.0;       // [s] arrival time of the first sample of that row
   std::uint64_t lost_ = 0;
 };
 

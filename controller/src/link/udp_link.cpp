@@ -15,8 +15,8 @@ namespace surefoot {
 
 namespace {
 
-// [N.m.s/rad] Range of Gains::damping_kd. Derived: the minimum is the resolution of a frame, 1/16
-// (kDampingUnit).
+// [N.m.s/rad] Range of UdpLinkOptions::damping_kd, the same as that of Gains::damping_kd. Derived:
+// the minimum is the smallest Kd that a frame can encode, 1/16 (kDampingUnit).
 constexpr double kMinKd = 0.0625, kMaxKd = 50.0;
 
 LowCmd checked_damping(double kd) {
@@ -40,7 +40,8 @@ struct UdpLink::Impl {
   UdpLinkOptions options;
   UdpSocket socket;
   LowCmd damping;
-  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};  // room to detect long datagrams
+  // Larger than the largest frame, so that longer datagrams are detected.
+  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};
   Frame frame, damping_frame;
   LowState state = init_low_state(), incoming = state;
   FrameExtras extras, incoming_extras;
@@ -48,7 +49,7 @@ struct UdpLink::Impl {
   LinkCounts counts;
   FrameReport last_reject;
   bool has_state = false;
-  double arrived = 0.0;  // [s] arrival of the newest LowState, on monotonic_time()
+  double arrived = 0.0;  // [s] arrival time of the newest LowState, on monotonic_time()
 };
 
 UdpLink::UdpLink(const UdpLinkOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -60,7 +61,7 @@ bool UdpLink::receive() noexcept {
   bool newer = false;
   for (int k = 0; k < kMaxDatagramsPerReceive; ++k) {
     std::size_t size = s.buffer.size();
-    double arrived = 0.0;
+    double arrived = 0.0;  // [s] arrival time of the datagram
     const UdpSocket::ReadResult read = s.socket.read(s.buffer.data(), size, arrived);
     if (read == UdpSocket::ReadResult::kNothing) return newer;
     if (read == UdpSocket::ReadResult::kOtherSender) {
@@ -73,7 +74,10 @@ bool UdpLink::receive() noexcept {
   return newer;
 }
 
-// Process a datagram from the peer. Return whether the datagram is a newer LowState.
+// Process a datagram from the peer: decode and count it, and store it if it is a newer LowState or
+// the robot has restarted. Return whether it was stored. Invalid, duplicate and reordered datagrams
+// are only counted.
+// @param time arrival time of the datagram [s], on monotonic_time()
 bool UdpLink::Impl::accept_datagram(std::size_t size, double time) noexcept {
   ++counts.received;
   const FrameReport report = decode_low_state(buffer.data(), std::min(size, buffer.size()),

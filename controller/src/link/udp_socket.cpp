@@ -19,13 +19,13 @@ namespace surefoot {
 
 namespace {
 
-// [bytes] Size of the receive buffer. Chosen: about a hundred frames. When the buffer is full, the
-// system drops new datagrams and keeps old ones. So a stalled process reads old samples first;
-// arrival times show their age.
+// [bytes] Size of the receive buffer. Chosen: room for about 100 frames. When the buffer is full,
+// the system drops new datagrams and keeps old ones. So after a stall the process reads old samples
+// first; their arrival times show how old they are.
 constexpr int kReceiveBuffer = 128 * 1024;
 
-// Return the age [s] of a datagram by the system's arrival stamp on the wall clock; 0 without a
-// stamp.
+// Return the age [s] of a datagram: the time on the wall clock since the system stamped its
+// arrival. Return 0 for a datagram without a stamp.
 double stamped_age(msghdr& message) noexcept {
   for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
     if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;

@@ -9,12 +9,11 @@ namespace surefoot {
 
 /// Return the arrival time [s] of a datagram, on monotonic_time(), computed from its age:
 ///   clamp(now - age, last_empty, now)
-/// The bounds are needed because the age comes from a wall-clock stamp, and the wall clock may
-/// step.
-/// Real-time: yes.
+/// The bounds are needed because the age is measured on the wall clock, and the wall clock may
+/// step. Real-time: yes.
 /// @param now present time [s], on monotonic_time()
 /// @param age age of the datagram by its stamp [s]
-/// @param last_empty last time that there was nothing to read [s], on monotonic_time()
+/// @param last_empty time of the last read that found no datagram [s], on monotonic_time()
 double arrival_time(double now, double age, double last_empty) noexcept;
 
 /// Non-blocking IPv4 UDP socket for one peer. Real-time: read() and write() yes.
@@ -31,7 +30,7 @@ class UdpSocket {
   enum class ReadResult { kNothing, kPeer, kOtherSender };
   /// Read one datagram. Never blocks.
   /// @param size in: size of the buffer; out: length of the datagram, which may be larger
-  /// @param arrived out: when it reached this machine [s], on monotonic_time()
+  /// @param arrived out: arrival time of the datagram at this machine [s], on monotonic_time()
   ReadResult read(std::uint8_t* data, std::size_t& size, double& arrived) noexcept;
 
   /// Send a datagram to the peer; return false if the system did not accept it. Never blocks.
@@ -41,10 +40,10 @@ class UdpSocket {
 
  private:
   int fd_ = -1;
-  double last_empty_time_ = 0.0;  // [s] last read that found nothing, monotonic_time()
+  double last_empty_time_ = 0.0;  // [s] last read that found no datagram, monotonic_time()
   int local_port_ = 0;
-  std::uint32_t peer_address_ = 0;  // network order
-  std::uint16_t peer_port_ = 0;     // network order
+  std::uint32_t peer_address_ = 0;  // network byte order
+  std::uint16_t peer_port_ = 0;     // network byte order
 };
 
 }  // namespace surefoot

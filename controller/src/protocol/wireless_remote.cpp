@@ -8,8 +8,8 @@ namespace surefoot {
 
 namespace {
 
-// Largest valid |stick value|. Chosen 5 % above 1, because the calibration of sticks is not exact;
-// larger values do not come from a stick.
+// Largest valid |stick value|. Chosen. Larger than 1 by 5 %, because the calibration of sticks is
+// not exact; larger values do not come from a stick.
 constexpr float kMaxDeflection = 1.05F;
 
 struct Stick {

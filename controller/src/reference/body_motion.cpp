@@ -8,8 +8,8 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time without blocked axes after which a limit is cleared. Chosen. Below: the status would
-// flicker between ticks; above: an operator would see an old limit.
+// [s] Time without blocked axes after which a limit is cleared. Chosen. If shorter: the status
+// would flicker between ticks. If longer: an operator would see an old limit.
 constexpr double kLimitHoldTime = 0.1;
 // Numerical tolerances:
 // Errors of position [m], [rad] and of velocity [m/s], [rad/s] below which the target is reached.
@@ -89,8 +89,8 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   p_com_ += v_com_ * dt;
 }
 
-// Evaluate the present pose with the present feet: set the centre of mass, and the violation that
-// the next pose must not exceed.
+// Evaluate the present pose with the present feet. Set the centre of mass, and the violation: the
+// next pose must not violate the limits more than the present pose.
 void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                                        const Vector3& gravity) noexcept {
   const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);
@@ -105,9 +105,9 @@ void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& fee
   p_com_ = reach_check_.p_com() + com_offset_;
 }
 
-// Return whether the body may move to a pose; if not, write the reason to limit_. A pose outside
-// the limits is acceptable if its violation does not exceed that of the present pose. Without this
-// rule, feet that a push has displaced could lock the body in place.
+// Return whether the body may move to a pose, given like position_; if not, write the reason to
+// limit_. A pose outside the limits is acceptable if its violation does not exceed that of the
+// present pose. Without this rule, feet that a push has displaced could lock the body in place.
 bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
                             const Vector3& gravity) noexcept {
   const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + position.head<3>(),
@@ -160,7 +160,8 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
   return change;
 }
 
-// Compute the time in which the present speed covers the braking distance: v / (2 a).
+// Compute the braking distance divided by the present speed, v / (2 a): half of the time that
+// braking takes. The body stops at position_ + velocity_ * this time.
 double BodyMotion::stopping_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);

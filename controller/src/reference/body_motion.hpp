@@ -39,7 +39,7 @@ class BodyMotion {
   void update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
               double dt) noexcept;
 
-  /// Return the present pose relative to the latched pose.
+  /// Return the present pose (x, y, height, roll, pitch, yaw) relative to the latched pose.
   BodyReference position() const noexcept;
   /// Return kNotFinite if the last target was rejected; otherwise the limit that stops the motion,
   /// or kNone.
@@ -74,7 +74,8 @@ class BodyMotion {
 
   ReachCheck reach_check_;
   LatchedPose latched_;
-  // x, y, height, roll, pitch, yaw relative to the latched pose, and derivatives
+  // Poses relative to the latched pose (x, y, height [m]; roll, pitch, yaw [rad]), and the
+  // derivatives of position_.
   Vector6 target_ = Vector6::Zero(), position_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
   Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero(), com_offset_ = Vector3::Zero();
@@ -82,10 +83,10 @@ class BodyMotion {
   FeetMatrix evaluated_feet_ = FeetMatrix::Zero();
   ReachStatus limit_;
   bool request_rejected_ = false;
-  double violation_ = 0.0;         // [rad] or equivalent, of the present pose (see ReachResult)
+  double violation_ = 0.0;         // [rad] of the present pose (see ReachResult)
   double unblocked_time_ = 0.0;    // [s] since an axis was last blocked
   std::array<bool, 6> blocked_{};  // axes that a limit blocks
-  int axis_ = 0;
+  int axis_ = 0;                   // axis that probe_axis() tested last
 };
 
 }  // namespace surefoot

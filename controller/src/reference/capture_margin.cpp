@@ -38,7 +38,9 @@ double capture_margin(const Dynamics& dynamics, const Reference& reference,
 
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
                       const Vector3& dv_com) noexcept {
-  // Fewer than three stance feet span no polygon, so the margin is infinite.
+  // Fewer than three stance feet span no polygon: +inf states that no margin is defined.
+  // SupportPolygon::margin() returns 0 in this case, which would mean that the capture point is at
+  // an edge.
   const SupportPolygon polygon(contact_points(dynamics), stance);
   return polygon.is_valid() ? polygon.margin(capture_point(dynamics, dv_com))
                             : std::numeric_limits<double>::infinity();

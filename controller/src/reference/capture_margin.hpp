@@ -16,7 +16,7 @@ namespace surefoot {
 Eigen::Vector2d capture_point(const Dynamics& dynamics,
                               const Vector3& dv_com = Vector3::Zero()) noexcept;
 
-/// Return the polygon of the stance feet of a reference whose planned load is above zero.
+/// Return the polygon of those stance feet of a reference that have a planned load above zero.
 /// Real-time: yes.
 SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& reference) noexcept;
 

@@ -39,11 +39,11 @@ class FootRolling {
   }  ///< [m] FR FL RR RL, world axes
 
  private:
-  // [s] Time constant of the decay. Chosen. Below: the reaction to a push, some tenths of a second;
-  // above: a robot that leans should refer to its present contact points.
+  // [s] Time constant of the decay. Chosen. Longer than the reaction to a push, some tenths of a
+  // second; short, so that a leaning robot soon refers to its present contact points.
   static constexpr double kDecayTime = 2.0;
-  // [rad] Largest rotation of a foot that counts. Chosen. Below: rotation of the shanks in
-  // survivable pushes; above: errors of the gyroscope add up.
+  // [rad] Largest rotation of a foot that counts. Chosen. Larger than the rotation of the shanks in
+  // survivable pushes; small, so that errors of the gyroscope cannot add up.
   static constexpr double kMaxAngle = 0.4;
 
   double radius_;

@@ -9,8 +9,9 @@
 namespace surefoot {
 
 namespace {
-// [rad/m] Factor that converts the violation of a distance to the scale of joint limits. Derived:
-// the inverse of a link's length, 0.2 m on a1, go1 and go2.
+// [rad/m] Factor that converts the violation of a limit in metres to radians, so that it compares
+// with the violation of a joint limit. Derived: the inverse of a link's length, 0.2 m on a1, go1
+// and go2.
 constexpr double kViolationPerMetre = 5.0;
 }  // namespace
 
@@ -48,6 +49,7 @@ ReachResult ReachCheck::evaluate(const Gains& gains, const Vector3& p_base,
     const double shortfall = gains.reach_joint_margin - joint_margin;
     if (shortfall > worst.violation) worst = {{ReachLimit::kJoint, i}, shortfall};
   }
+  // kFootHeight limits the depth of a foot below its hip axis.
   for (int leg = 0; leg < kLegs; ++leg) {
     const double shortfall =
         kViolationPerMetre * (gains.reach_foot_depth - kinematics_.depth()[leg]);

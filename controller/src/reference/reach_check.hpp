@@ -10,7 +10,9 @@ namespace surefoot {
 /// Most violated limit of a base pose.
 struct ReachResult {
   ReachStatus status;
-  double violation = 0.0;  ///< [rad] or equivalent; 0: within all limits
+  /// [rad] Shortfall to the limit; distances are converted by kViolationPerMetre. 0: within all
+  /// limits.
+  double violation = 0.0;
 };
 
 /// Checks whether the robot can stand with its base in a given pose, in the support frame.

@@ -15,21 +15,23 @@ namespace {
 // All values are chosen (git a363d66); tests/closed_loop/test_recovery_steps.py covers them
 // together.
 
-// [edge_margin] Capture margin below which a foot that lost contact steps. Above: steps at weak
-// pushes (test_no_foot_steps_at_a_75_percent_push); below: the foot steps too late.
+// Capture margin, as a share of the gain edge_margin, below which a foot that has lost contact
+// steps. If larger: feet step at weak pushes (test_no_foot_steps_at_a_75_percent_push). If smaller:
+// the foot steps too late.
 constexpr double kNearEdge = 0.65;
-// [h] Distance from the centre of mass to the capture point above which the body counts as moving.
-// Below: sway of a standing robot; above: pushes that need a step.
+// [h] The body counts as moving when the capture point is farther than this from the centre of
+// mass. More than the sway of a standing robot; less than in pushes that need a step.
 constexpr double kMovingDistance = 0.1;
-// Contact confidence below which a foot has lifted off, and above which a foot is loaded or has
-// landed: hysteresis around 0.4.
+// Contact confidences, with hysteresis around 0.4: below kOffGroundConfidence a foot has lifted
+// off; above kContactConfidence it is loaded or has landed.
 constexpr double kOffGroundConfidence = 0.3;
 constexpr double kContactConfidence = 0.5;
 // [sqrt(h / g)] Time from the start of a step, unloading included, until the foot is pressed down:
-// 0.1 s at 0.3 m. Below: the leg's speed; above: the capture point, whose distance from the support
-// grows by exp(0.6) = 1.8 in this time.
+// 0.1 s at h = 0.3 m. If shorter: the leg would have to move too fast. If longer: the capture point
+// moves too far away; its distance from the support grows by exp(0.6) = 1.8 in this time.
 constexpr double kSwingTime = 0.6;
-// [h] Height of a swing foot, 24 mm at 0.3 m. Below: motion of the contact point by rolling.
+// [h] Height of a swing foot: 24 mm at h = 0.3 m. More than the contact point moves by rolling of
+// the foot.
 constexpr double kLiftHeight = 0.08;
 // [h] Depth of the desired position below the ground at landing, for a reliable contact.
 constexpr double kPressDepth = 0.1;
@@ -38,8 +40,9 @@ constexpr double kMinMargin = 0.01;
 // [sqrt(g h)] Largest speed of a foot's desired position. Measured: at a latency of 20 ms a go2
 // survives 100 % of the pushes with this value and 97.5 % with half of it (git b8a299d).
 constexpr double kFootSpeed = 2.0;
-// [s] Time constant with which the nominal position of a foot that has stepped moves to this foot.
-// Below: the references jump; above: kSwingTime, the time until the next step.
+// [s] Time constant with which the nominal position moves to a foot that has landed;
+// support_frame.cpp has another kNominalFootTime, for loaded feet. If shorter: the references jump.
+// Shorter than kSwingTime, so that it has moved before the next step lands.
 constexpr double kNominalFootTime = 0.05;
 constexpr double kReturnTime = 0.2;  // [s] time constant of the foot offsets' decay after stop()
 
@@ -111,7 +114,7 @@ void RecoverySteps::update_stride(const Gains& gains, const SupportFrame& suppor
 }
 
 // If the capture point is outside, select a loaded foot whose step would bring the capture point
-// back inside. Only one foot is unloaded at a time.
+// back inside, and begin to unload this foot. Only one foot is unloaded at a time.
 void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
                                         const FeetMatrix& p_world_nominal_feet,
                                         const Eigen::Vector4d& contact,
@@ -151,8 +154,9 @@ void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_no
   }
 }
 
-// Move the desired position of a stepping foot: first towards the end of the stride, at kFootSpeed
-// and kLiftHeight at most; after kSwingTime straight down to kPressDepth.
+// Move the desired position of a stepping foot. First move it towards the end of the stride, no
+// faster than kFootSpeed and no higher than kLiftHeight. After kSwingTime move it straight down to
+// kPressDepth below the ground.
 void RecoverySteps::update_swing(int leg, const Vector3& from_nominal, const Vector3& normal,
                                  double height, double dt) noexcept {
   Vector3 along = project_to_plane(foot_offsets_.col(leg), normal);

@@ -13,10 +13,10 @@ namespace surefoot {
 ///
 /// While the capture point is far inside the support polygon, each foot stays at its nominal
 /// position. When the capture point is near a support edge, the stance feet can hardly brake any
-/// more. A foot that has lost contact then swings by the stride and is pressed to the ground. The
-/// foot stays where it lands, and its nominal position moves there. The stride is the vector from
-/// the support origin to the capture point, times the edge proximity, limited to foot_step. All
-/// swing feet have the same stride.
+/// more. The stride is the vector from the support origin to the capture point, times the edge
+/// proximity (0 far inside, 1 at the edge), limited to the gain foot_step. All swing feet have the
+/// same stride. A foot that has lost contact moves by the stride from its nominal position and is
+/// pressed to the ground. It stays where it lands, and its nominal position moves there.
 ///
 /// When the capture point is outside, foot_to_lift() selects a loaded foot whose step brings the
 /// capture point back inside. This foot is unloaded and steps in the same way. Only one foot is
@@ -40,8 +40,9 @@ class RecoverySteps {
   /// Offset [m] of each foot's desired position from its nominal position, world axes.
   const FeetMatrix& foot_offsets() const noexcept { return foot_offsets_; }
 
-  /// Prepare the input of SupportFrame::update(): subtract the offsets from all feet, and give a
-  /// foot that lifts off or swings its nominal position and a contact confidence of 0.
+  /// Prepare the input of SupportFrame::update(). Subtract the offsets from all feet. For each foot
+  /// that lifts off or swings, set the position to its nominal position and the contact confidence
+  /// to 0.
   /// @param p_world_feet in and out: contact points without rolling, world frame [m]
   /// @param contact in and out: contact confidence per foot, 0 .. 1
   void mask_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
@@ -66,13 +67,15 @@ class RecoverySteps {
 
   FeetMatrix foot_offsets_ = FeetMatrix::Zero();
   Vector3 stride_ = Vector3::Zero();  // [m] required stride, world axes, in the support plane
-  // 1: the capture point is at an edge of the nominal polygon or outside; 0: edge_margin inside.
+  // 1: the capture point is at an edge of the nominal foot positions' polygon, or outside.
+  // 0: it is inside by the gain edge_margin or more.
   double edge_proximity_ = 0.0;
-  bool moving_ = false;  // true: the body moves, see kMovingDistance
+  bool moving_ = false;  // true: the body moves (see kMovingDistance)
   std::array<FootPhase, kLegs> phase_{};
   // True for feet that failed to lift off; cleared when the capture point is inside again.
   std::array<bool, kLegs> lift_failed_{};
-  std::array<double, kLegs> phase_time_{};  // [sqrt(h / g)] since the step began
+  // [sqrt(h / g)] Time since the step began, unloading included.
+  std::array<double, kLegs> phase_time_{};
 };
 
 }  // namespace surefoot

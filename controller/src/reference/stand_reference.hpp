@@ -14,13 +14,13 @@ namespace surefoot {
 /// relative to the latched pose.
 ///
 /// Base pose, centre of mass and nominal foot positions are kept in the support frame, which is
-/// fitted to the feet. Where the frame is relative to the body depends only on the joint angles
+/// fitted to the feet. The pose of this frame relative to the body depends only on the joint angles
 /// and, for a few seconds, on the rolling of the feet. Slow errors of the IMU move frame and body
 /// together, so these errors cannot make the robot lean.
 ///
-/// While no foot is loaded, the frame follows the body, and the legs of a lifted robot return to
-/// the standing pose. When the capture point is near a support edge, feet step (RecoverySteps).
-/// Real-time: yes.
+/// While no foot is loaded, the frame follows the body, and the legs extend beyond the standing
+/// pose by kAirborneExtension. When the capture point is near a support edge, feet step
+/// (RecoverySteps). Real-time: yes.
 class StandReference {
  public:
   explicit StandReference(const Robot& robot)
@@ -59,7 +59,8 @@ class StandReference {
   FootRolling foot_rolling_;
   RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
-  // 0: a foot is loaded, 1: long in the air; also the share by which the frame follows the body.
+  // 0: a foot is loaded; near 1: all feet have been in the air for longer than kAirborneTime. Each
+  // tick moves the frame to the body by this share.
   double airborne_share_ = 0.0;
   Reference reference_;
 };

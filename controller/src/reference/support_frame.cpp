@@ -8,20 +8,22 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time constant of the ground normal. Chosen. Below: foot motion by a push of 0.1 s, which is
-// no slope; above: ground that tilts under the robot (surefoot.sim moving_ground).
+// [s] Time constant of the ground normal. Chosen. Longer than a push of 0.1 s, whose foot motion is
+// not a slope; shorter than the motion of ground that tilts under the robot (surefoot.sim
+// moving_ground).
 constexpr double kGroundTime = 0.5;
 // [s] Time after the latch in which the ground normal follows the feet without delay. The
 // estimator's attitude still converges in this time, and its corrections must not move the body.
 // Chosen with robots that are handed over on slopes (git a8e6a2e).
 constexpr double kInitialTime = 0.15;
-// [s] Time constant of the nominal foot positions. Chosen as kGroundTime.
+// [s] Time constant of the nominal positions of loaded feet. Chosen equal to kGroundTime.
 constexpr double kNominalFootTime = 0.5;
-// [m^2] Regularisation that keeps the old tilt about axes for which the feet in contact do not
-// determine it. Numerical: small against the spread of the feet, about 0.02 m^2 (0.15 m each).
+// [m^2] Regularisation: where the feet in contact do not determine the tilt (two feet: about the
+// line through them), the old tilt stays. Numerical: small against the spread of the feet, about
+// 0.02 m^2 (0.15 m each).
 constexpr double kSlopeRegularisation = 1e-4;
 // [m^2] Regularisation in update_nominal_feet(), which uses only the residual of the fit.
-// Numerical: small against the same spread.
+// Numerical: small against the spread of the feet.
 constexpr double kDetrendRegularisation = 1e-6;
 
 // Compute the heading [rad] of the line from the centre of the rear feet to the centre of the front
@@ -112,8 +114,9 @@ void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix&
 // Move the nominal positions towards the feet. Then move the frame so that the centroid of the
 // nominal positions stays at the origin and their heading along x.
 //
-// A common tilt of all feet comes from the IMU or the ground, and update_normal() corrects it. This
-// tilt is removed here first, because the nominal positions would absorb a part of it.
+// A common tilt of all feet comes from the IMU or the ground, and update_normal() corrects it over
+// time. The rest of this tilt is subtracted here first; otherwise the nominal positions would
+// absorb a part of it.
 void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
                                        const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);

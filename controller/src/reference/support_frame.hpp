@@ -12,8 +12,8 @@ namespace surefoot {
 ///
 /// The estimated x, y and yaw of a legged robot drift in the world frame. A reference that is fixed
 /// in the world frame would slowly move the body off its feet. So each foot has a nominal position
-/// in the support frame, and the frame is the weighted least-squares fit of these positions to the
-/// measured feet. The weights are the contact confidences. The nominal position of a loaded foot
+/// in the support frame. The frame is the weighted least-squares fit of these positions to the
+/// measured feet, with the contact confidences as weights. The nominal position of a loaded foot
 /// follows the foot slowly. Real-time: yes.
 class SupportFrame {
  public:
@@ -44,7 +44,7 @@ class SupportFrame {
   const Vector3& origin() const noexcept { return origin_; }  ///< [m] world
   const Matrix3& R_world_support() const noexcept { return R_; }
   Vector3 normal() const noexcept { return R_.col(2); }
-  const FeetMatrix& nominal_feet() const noexcept { return nominal_feet_; }  ///< [m] support axes
+  const FeetMatrix& nominal_feet() const noexcept { return nominal_feet_; }  ///< [m] support frame
   FeetMatrix p_world_nominal_feet() const noexcept {
     return (R_ * nominal_feet_).colwise() + origin_;
   }

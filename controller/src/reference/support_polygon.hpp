@@ -20,12 +20,13 @@ class SupportPolygon {
   int edge_count() const noexcept { return is_valid() ? count_ : 0; }
   struct Edge {
     Eigen::Vector2d outward;  ///< normal of the edge, unit length, away from the polygon
-    double margin;  ///< [m] distance of edge()'s point from the edge line; negative: point outside
+    /// [m] Distance from the edge line to the point given to edge(); negative: it is outside.
+    double margin;
   };
   /// Compute the normal of edge k, 0 .. edge_count() - 1, and the margin of a point to this edge.
   Edge edge(int k, const Eigen::Vector2d& point) const noexcept;
 
-  /// Compute the smallest margin [m] of a point to any edge. Negative: the point is outside; 0 if
+  /// Compute the smallest margin [m] of a point to any edge. Negative: the point is outside. 0 if
   /// is_valid() is false.
   double margin(const Eigen::Vector2d& point) const noexcept;
 

@@ -9,11 +9,13 @@ namespace {
 
 // Chosen; covered by tests/closed_loop/test_lost_leg.py.
 // Distance that the centre of mass keeps from the long edge of the support triangle (the diagonal
-// between the neighbours of the lost leg), as a share of the triangle's inradius. Below: the robot
-// tips over this edge; above: 1, where the body moves farthest and the legs have the least reach.
+// between the neighbours of the lost leg), as a share of the triangle's inradius. If smaller: the
+// robot tips over this edge. At most 1: there the body moves farthest, and the legs have the least
+// reach.
 constexpr double kInradiusShare = 0.5;
-// [s] Time constant of the shift. Below: a jerk of the body; above: the fall over the long edge,
-// with a time constant of sqrt(h / g) = 0.17 s at 0.3 m.
+// [s] Time constant of the shift. If shorter: the body jerks. If much longer: the robot falls over
+// the long edge first. The fall grows with a time constant of sqrt(h / g), 0.17 s at h = 0.3 m, but
+// begins slowly, because the centre of mass is near this edge.
 constexpr double kShiftTime = 0.2;
 
 }  // namespace

@@ -11,8 +11,9 @@ namespace surefoot {
 namespace {
 
 // Share of RobotConfig::friction that a foot may use while the capture point is kEdgeDistance or
-// more inside. Measured: at 1, half a push made feet slide by centimetres on floors with friction
-// 0.5 and 0.6 (git 19c79ff); below: near the edge a push needs the friction sooner.
+// more inside. Measured: with 1, a push of half the push limit made feet slide by centimetres on
+// floors with friction 0.5 and 0.6 (git 19c79ff). If smaller: near the edge a push needs more
+// friction before the share has risen.
 constexpr double kNominalShare = 0.7;
 // [s] Assumed remaining duration of a push: the duration of the pushes of `surefoot assess`.
 constexpr double kPushTime = 0.1;
@@ -26,8 +27,9 @@ constexpr double kEdgeDistance = 0.06;
 double required_share(const Dynamics& dynamics, const RobotState& state, const Reference& reference,
                       double mass) noexcept {
   const Vector3 dv_com = kPushTime / mass * state.f_external;
-  // When a push ends, the estimate briefly shows an opposite push. With the smaller of the two
-  // margins, this error does not reduce the friction for braking.
+  // When a push ends, the estimate briefly shows an opposite push. This error alone would give too
+  // large a margin, and so too small a share for braking. The smaller of the two margins avoids
+  // this.
   const double margin =
       std::min(capture_margin(dynamics, reference), capture_margin(dynamics, reference, dv_com));
   if (!std::isfinite(margin)) return 1.0;  // on two feet the robot needs all friction

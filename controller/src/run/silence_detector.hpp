@@ -46,7 +46,7 @@ class SilenceDetector {
 
  private:
   // [s] Shortest listening time before silence counts. Chosen: four ticks of the loop at 500 Hz
-  // (git 09dfc10). In a shorter time, a sample could still wait in the socket. Upper limit:
+  // (git 09dfc10). If smaller: a sample could still wait in the socket. Upper limit:
   // test_silent_robot_is_stale_within_60_ms_at_every_rate.
   static constexpr double kMinListeningTime = 0.007;
   // [s] Longest silence after which control resumes. Equal to kRobotWatchdogTime.

@@ -10,7 +10,7 @@ namespace surefoot {
 
 namespace {
 
-// Number of datagrams of another generation that ends the run. Chosen: more than a few stray
+// Number of datagrams of another generation that ends the run. Chosen. Larger than a few stray
 // datagrams, and reached within 20 ms at 500 Hz.
 constexpr std::uint64_t kMaxWrongGeneration = 10;
 

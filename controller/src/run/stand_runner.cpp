@@ -5,7 +5,7 @@
 
 #include "common/clock.hpp"
 #include "run/latency_histogram.hpp"
-#include "run/real_time_thread.hpp"
+#include "run/real_time_scope.hpp"
 #include "run/snapshot_publisher.hpp"
 #include "run/stand_loop.hpp"
 #include "surefoot/error.hpp"
@@ -17,8 +17,8 @@ namespace {
 // [s] Duration of the damping frames at the end of a run. They are repeated because UDP may lose
 // some. Derived: twice kRobotWatchdogTime.
 constexpr double kFinalDampingTime = 0.2;
-// [s] Time between published snapshots. Chosen: fast enough for an operator to watch. Each snapshot
-// costs the loop a copy.
+// [s] Time between published snapshots. Chosen. If smaller: the loop spends more time on copies,
+// one per snapshot. If larger: too slow for an operator to watch.
 constexpr double kPublishPeriod = 0.05;
 
 /// Flag that is set while the loop runs, and cleared also if an exception ends it.

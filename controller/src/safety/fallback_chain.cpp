@@ -12,8 +12,8 @@ namespace surefoot {
 
 namespace {
 
-// Number of iterations: the first distributes the wrench, the others what clamping lost. Chosen:
-// enough for feet at their friction cones, and short compared with a tick.
+// Number of iterations: the first distributes the wrench, the others what clamping lost. Chosen. If
+// smaller: not enough for feet at their friction cones. If larger: long compared with a tick.
 constexpr int kShareIterations = 10;
 
 Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double friction,

@@ -51,8 +51,8 @@ class RunawayLegs {
   static constexpr double kLookahead = 0.015;
   // [s] Time constant of the filter against encoder noise. Derived: one period at 500 Hz.
   static constexpr double kSmoothingTime = 0.002;
-  // [rad/s] Largest change of a joint velocity per period. Chosen above the 0.8 rad/s that a
-  // runaway leg reached in 2 ms (400 rad/s^2), and below the error of a wrong sample;
+  // [rad/s] Largest change of a joint velocity per period. Chosen. Larger than the 0.8 rad/s that a
+  // runaway leg reached in 2 ms (400 rad/s^2), smaller than the error of a wrong sample. Test:
   // test_runaway_legs.cpp.
   static constexpr double kMaxSpeedStep = 5.0;
 

@@ -8,8 +8,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [s] numerical: sums of periods, which are whole milliseconds
-// [periods] Longest step that is not a jump. Chosen: a slow loop may lose this many samples; a
-// clock that has jumped makes a longer step. Test: test_tick_clock.cpp.
+// [periods] Longest step that is not a jump. Chosen. If smaller: samples that a slow loop loses
+// count as a jump. Shorter than the step of a clock that has jumped. Test: test_tick_clock.cpp.
 constexpr double kJumpPeriods = 5.0;
 
 // Return the time [s] from one tick to another, negative if `to` is earlier. Unsigned subtraction

@@ -14,8 +14,8 @@ namespace surefoot {
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 // [s] Duration of the fade-in of a lost leg's damping, so that the leg does not jerk. Chosen.
-// Torques step by at most 9.5 % a period, which takes 21 ms to the limit at 500 Hz. With a longer
-// fade the leg sags. Test: tests/closed_loop/test_lost_leg.py.
+// Torques step by at most 9.5 % a period, which takes 21 ms to the limit at 500 Hz. If larger: the
+// leg sags. Test: tests/closed_loop/test_lost_leg.py.
 constexpr double kFadeTime = 0.02;
 
 // Round to a float towards zero: rounding up could exceed the torque limit.

@@ -23,7 +23,7 @@ struct SentCommand {
 /// Real-time: yes, except the constructor.
 class DelayPredictor {
  public:
-  /// [s] Largest `delay`. Chosen: longer than the delay of a robot's link, and within the memory of
+  /// [s] Largest `delay`. Chosen. Longer than the delay of a robot's link, and within the memory of
   /// sent commands.
   static constexpr double kMaxDelay = 0.05;
 

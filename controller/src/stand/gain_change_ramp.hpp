@@ -13,8 +13,8 @@ namespace surefoot {
 /// Real-time: yes.
 class GainChangeRamp {
  public:
-  /// [s] Duration of the ramp. Chosen: many ticks, so that torques do not step, but short for an
-  /// operator.
+  /// [s] Duration of the ramp. Chosen. If smaller: torques step, because the ramp has few ticks. If
+  /// larger: the change is slow for an operator.
   static constexpr double kRampTime = 0.1;
 
   void start(const Gains& from, const Gains& to) noexcept {

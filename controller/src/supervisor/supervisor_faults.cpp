@@ -16,11 +16,11 @@ namespace {
 constexpr double kFallTilt = 0.7;
 // [rad] Tilt above which a lying body has fallen. Must exceed RolloverMonitor's 0.74.
 constexpr double kRollTilt = 0.8;
-// [s] Time over which the tilt is predicted. Shorter: falls are detected later. Longer: pushes,
-// which end by themselves, trip.
+// [s] Time over which the tilt is predicted. If smaller: falls are detected later. If larger:
+// pushes, which end by themselves, trip.
 constexpr double kTiltPrediction = 0.1;
-// [s] Time for which the battery charge must be low before it is a fault. Shorter: wrong samples
-// trip. Must be below the 2 s of fault_table().
+// [s] Time for which the battery charge must be low before it is a fault. If smaller: wrong samples
+// trip. Shorter than the 2 s of fault_table().
 constexpr double kBatteryTime = 1.0;
 // [height of the centre of mass] Largest distance of the capture point outside the triangle of the
 // other three feet at which a leg is given up. The damping of the lost leg supports the body over

@@ -76,8 +76,8 @@ struct Supervisor::Impl {
 
  private:
   /// [s] Step of the tick above which a second sample must confirm it, because one tick may be
-  /// wrong. Chosen. Must exceed kHoldTime, so that no command is repeated for such a step, and 13
-  /// ms: samples at 100 Hz with 3 ms of jitter. Must be below the 17 ms that latch in
+  /// wrong. Chosen. Longer than kHoldTime, so that no command is repeated for such a step, and
+  /// longer than 13 ms: samples at 100 Hz with 3 ms of jitter. Shorter than the 17 ms that latch in
   /// tests/cpp/test_supervisor_link.cpp.
   static constexpr double kLongestStep = 0.015;
 

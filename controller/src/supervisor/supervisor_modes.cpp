@@ -11,8 +11,8 @@ namespace {
 // [s] Time constant with which the joint reference stops while the impedance fades out. Must be far
 // below TorqueFade::kTime.
 constexpr double kRestTime = 0.03;
-// [rad] 20 degrees: largest joint error from q_standing at which the robot counts as standing.
-// Smaller: poses within BodyReference count as sunk. Larger: a robot that has sunk counts as
+// [rad] 20 degrees: largest joint error from q_standing at which the robot counts as standing. If
+// smaller: poses within BodyReference count as sunk. If larger: a robot that has sunk counts as
 // standing. kPathTolerance and the arming checks use the same value.
 constexpr double kUprightTolerance = 0.35;
 }  // namespace

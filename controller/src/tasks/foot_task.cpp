@@ -7,9 +7,9 @@ namespace surefoot {
 
 namespace {
 
-// [1/s] Smallest damping in the bound, used if foot_kd is smaller. Chosen above 0, because a bound
-// of 0 would stop the feedback on the foot position, and below the foot_kd of all robots (46 to
-// 65).
+// [1/s] Smallest damping in the bound, used if foot_kd is smaller. Chosen. Larger than 0, because a
+// bound of 0 would stop the feedback on the foot position; smaller than the foot_kd of all robots
+// (46 to 65).
 constexpr double kMinDamping = 1.0;
 
 // Return foot_kp times the offset, at most the acceleration that the damping balances at

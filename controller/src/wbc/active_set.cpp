@@ -9,12 +9,12 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// Violation above which a constraint counts as violated, as a share of the tolerance. Chosen below
-// 1, so that QpCheck accepts the solution with a margin, and above rounding errors. Test:
-// test_active_set.cpp.
+// Violation above which a constraint counts as violated, as a share of the tolerance. Chosen.
+// Smaller than 1, so that QpCheck accepts the solution with a margin; larger than rounding errors.
+// Test: test_active_set.cpp.
 constexpr double kViolationShare = 0.1;
-// Largest plausible distance between two solutions, in H's metric with trace(H) = n. Chosen far
-// above the size of solutions in QP units (order 1). Test:
+// Largest plausible distance between two solutions, in H's metric with trace(H) = n. Chosen. Far
+// larger than the size of solutions in QP units (order 1). Test:
 // nearly_parallel_constraints_are_not_reported_as_infeasible.
 constexpr double kMaxDistance = 1e4;
 

@@ -15,9 +15,9 @@ namespace surefoot {
 /// for rounding errors. Real-time: yes, at most max_changes changes of the active set.
 class ActiveSet {
  public:
-  /// Most changes of the active set in one solve; after them ProxQP takes over. Chosen above the 86
-  /// changes that an elastic QP needed from a cold start (24 from the active set of the hard QP),
-  /// see docs/condensed-qp.md.
+  /// Most changes of the active set in one solve; after them ProxQP takes over. Chosen. Larger than
+  /// the 86 changes that an elastic QP needed from a cold start (24 from the active set of the hard
+  /// QP), see docs/condensed-qp.md.
   static constexpr int kMaxChanges = 100;
 
   /// @param max_changes number of constraints that may be added or removed in one solve

@@ -15,8 +15,8 @@ namespace {
 // more survival on go1 and go2, for pushes at 22.5 degrees from forward and backward. Tests:
 // test_edge_braking_axes.cpp.
 //
-// [s] Time for which the external force is expected to continue. If smaller, the prediction misses
-// pushes that cross an edge. If larger, it exceeds the rest of the standard push: a push of 0.1 s
+// [s] Time for which the external force is expected to continue. If smaller: the prediction misses
+// pushes that cross an edge. If larger: it exceeds the rest of the standard push; a push of 0.1 s
 // is partly over when it is detected.
 constexpr double kPushDuration = 0.08;
 // [m] Distance inside an edge at which the edge begins to count.

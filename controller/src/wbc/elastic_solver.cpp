@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-// Number of ticks without slack after which the hard QP is solved again. Chosen. With fewer, many
-// ticks solve both QPs; with more, ticks solve the larger QP for longer than needed. Test:
+// Number of ticks without slack after which the hard QP is solved again. Chosen. If smaller: many
+// ticks solve both QPs. If larger: ticks solve the larger QP for longer than needed. Test:
 // elastic_mode_lasts_equally_long_each_time.
 constexpr int kTicksWithoutSlack = 10;
 // Slack above which a constraint counts as violated. Numerical: ten times the default tolerance
@@ -23,9 +23,9 @@ int elastic_count(const ElasticRows& rows) {
 
 }  // namespace
 
-// Inner iterations of ProxQP after which no further attempt begins. Chosen: the elastic QP has
-// about twice the variables, so it gets a larger budget. With still larger budgets, a tick could
-// exceed its period.
+// Inner iterations of ProxQP after which no further attempt begins. Chosen. The elastic QP has
+// about twice the variables, so it gets a larger budget. If still larger: a tick could exceed its
+// period.
 const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
 const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt each
 

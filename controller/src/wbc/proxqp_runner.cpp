@@ -12,11 +12,11 @@ namespace {
 
 namespace proxqp = proxsuite::proxqp;
 
-// Duality gap at which ProxQP stops, as a share of the tolerance. Chosen below 1, because ProxQP
-// judges the sum over all rows, but QpCheck judges each row.
+// Duality gap at which ProxQP stops, as a share of the tolerance. Chosen. Smaller than 1, because
+// ProxQP judges the sum over all rows, but QpCheck judges each row.
 constexpr double kSolverGap = 0.1;
-// Multipliers smaller than this are rounding residues. Chosen between the residues seen (1e-24) and
-// the tolerance.
+// Multipliers smaller than this are rounding residues. Chosen. Larger than the residues seen
+// (1e-24), smaller than the tolerance.
 constexpr double kResidue = 1e-12;
 // Largest numbers of outer iterations in an attempt, and of inner iterations in an outer one.
 // Chosen: ProxQP has no time limit, so 12 x 8 = 96 inner iterations bound the time of an attempt.

@@ -8,9 +8,9 @@ namespace surefoot {
 
 namespace {
 
-// Largest accepted residual, as a multiple of the tolerance. Chosen above 1, because each solver
-// stops by its own residuals, which differ from those computed here. docs/qp-benchmark.md judges
-// all solvers by the same limit, 5e-6.
+// Largest accepted residual, as a multiple of the tolerance. Chosen. Larger than 1, because each
+// solver stops by its own residuals, which differ from those computed here. docs/qp-benchmark.md
+// judges all solvers by the same limit, 5e-6.
 constexpr double kAccept = 5.0;
 
 // Zero times NaN or infinity is NaN, so one sum checks all entries. allFinite() tests each entry

@@ -25,7 +25,7 @@ namespace surefoot {
 namespace {
 
 // Weight factor of a foot that has just become soft. The factor falls geometrically to 1 at full
-// softness. Chosen. If smaller, the torques step where the equality ends; if larger, H has a worse
+// softness. Chosen. If smaller: the torques step where the equality ends. If larger: H has a worse
 // condition number. Test: torques_stay_bounded_and_continuous_through_a_singularity.
 constexpr double kMaxSoftFactor = 10.0;
 

@@ -17,7 +17,7 @@ namespace {
 // Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. At
 // smaller determinants the knee is nearly straight or the foot is near hip height, and joint
 // accelerations become large. Chosen: at this share they are ten times those of the standing pose.
-// A larger share would exclude poses that BodyReference allows.
+// If larger: poses that BodyReference allows are excluded.
 constexpr double kSmallestShare = 0.1;
 
 // Return the norm of each row of the matrix from contact forces to the angular acceleration of the

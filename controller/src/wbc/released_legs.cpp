@@ -8,8 +8,8 @@
 namespace surefoot {
 
 namespace {
-// [rad/s^2] Largest widening of the joint acceleration limits. Chosen: more than the QP requires of
-// any leg; runaway legs took 400.
+// [rad/s^2] Largest widening of the joint acceleration limits. Chosen. Larger than the QP requires
+// of any leg; runaway legs took 400.
 constexpr double kReleasedRange = 1e4;
 constexpr int kSweeps = 20;  // chosen: with three joints, further sweeps hardly change the result
 constexpr double kMinLever =

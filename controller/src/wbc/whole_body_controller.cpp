@@ -12,7 +12,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kMostRows = 1000;  // rows of one user task; chosen far above any robot's nv
+constexpr int kMostRows = 1000;  // rows of one user task; chosen, far larger than any robot's nv
 }
 
 void WholeBodyOptions::validate() const {

@@ -12,14 +12,14 @@ namespace {
 // Distance from a torque limit below which a motor counts as saturated, as a share of tau_max.
 // Numerical: residuals of 5e-6 (QP units) move a torque by less than this.
 constexpr double kSaturated = 1e-3;
-// Curvature of the slacks' cost, before scaling. Chosen above 0, so that the QP is strictly convex.
-// The linear penalties (gains penalty_*) make the constraints exact.
+// Curvature of the slacks' cost, before scaling. Chosen. Larger than 0, so that the QP is strictly
+// convex. The linear penalties (gains penalty_*) make the constraints exact.
 constexpr double kCurvature = 1.0;
 // Smallest reduced tolerance. Numerical: rounding errors allow no smaller tolerance. Test:
 // both_methods_meet_a_tolerance_of_1e_minus_12.
 constexpr double kTightest = 1e-12;
-// Factor on the tolerance for a cold solve. Chosen above 1, because the first solve has failed at
-// the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
+// Factor on the tolerance for a cold solve. Chosen. Larger than 1, because the first solve has
+// failed at the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
 // cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
 constexpr double kRelaxed = 10.0;
 // Smallest share of trace(H) that user tasks must leave to the other tasks. Derived: with the

@@ -20,8 +20,9 @@ from surefoot.sensor_log.sensor_log import SensorLog
 GRAVITY = 9.81
 # Derived from the assumed full scale, 34.9 rad/s, plus 3 %; deg/s exceed it soon.
 GYRO_FULL_SCALE = 36.0  # [rad/s] rate above which the unit is wrong; the range is 2000 deg/s
-# Chosen: 3 deg, above the noise of a median; the gyroscope must then have shown a rotation.
-MIN_TILT = 0.05  # [rad] smallest tilt from the accelerometer that counts as a rotation
+# [rad] Smallest tilt from the accelerometer that counts as a rotation. Chosen. 3 deg, larger than
+# the noise of a median; the gyroscope must then have shown a rotation.
+MIN_TILT = 0.05
 
 
 def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:

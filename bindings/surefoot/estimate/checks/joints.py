@@ -16,13 +16,19 @@ from surefoot.sensor_log.sensor_log import SensorLog
 # Chosen limits; tests/python/test_sensor_log.py and test_estimate.py have wrong and right logs.
 MAX_BEYOND_LIMIT = 0.5  # [rad] distance beyond a joint limit above which an angle is wrong
 DEGREES_MARGIN = 0.2  # [rad] distance beyond a joint limit up to which an angle in degrees fits
-# Chosen. Below: noise in both orders; above: 1, where both orders fit alike.
-ORDER_FIT_RATIO = 0.2  # squared error over that of the logged order; below: this order is right
-MIN_ORDER_ERROR = 0.05  # squared error over the squared motion; below: the logged order is right
-# Chosen: 20 times the 0.001 rad of good sensors; deg/s instead of rad/s gives 57 times.
-MAX_STILL_DRIFT = 0.02  # [rad] RMS of integrated dq per window at rest, above which dq is doubtful
-# Chosen: ten times the 0.001 rad that velocity noise gives in a window.
-MIN_MOTION = 0.01  # [rad] RMS change of q per window above which joints move
+# Chosen. Larger than the noise in both orders, smaller than 1, at which both orders fit alike.
+ORDER_FIT_RATIO = (
+    0.2  # squared error over that of the logged order; if smaller, this order is right
+)
+MIN_ORDER_ERROR = (
+    0.05  # squared error over the squared motion; if smaller, the logged order is right
+)
+# [rad] RMS of integrated dq per window at rest, above which dq is doubtful. Chosen. Larger than the
+# 0.001 rad of good sensors by a factor of 20, smaller than the 57 times of deg/s instead of rad/s.
+MAX_STILL_DRIFT = 0.02
+# [rad] RMS change of q per window above which joints move. Chosen. Larger than the 0.001 rad that
+# velocity noise gives in a window, by a factor of ten.
+MIN_MOTION = 0.01
 
 
 def check_angles(robot: Robot, log: SensorLog) -> list[str]:
@@ -92,7 +98,7 @@ def _warn_moving_while_still(moved: Array, integrated: Array) -> list[str]:
     if len(moved) < 3:
         return []
     q_motion, dq_motion = (float(np.sqrt(np.mean(angles**2))) for angles in (moved, integrated))
-    # Chosen: five times is far above noise and far below 57, deg/s read as rad/s.
+    # Chosen. Five times is far larger than noise and far smaller than 57, deg/s read as rad/s.
     if dq_motion < max(MAX_STILL_DRIFT, 5.0 * q_motion):
         return []
     return [

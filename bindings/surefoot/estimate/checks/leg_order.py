@@ -25,8 +25,9 @@ _MIRRORED_LEGS = {"": [], "right hips": [0, 2], "left hips": [1, 3], "all hips":
 # Chosen: 0.3 s and half a second of motion; the comparison with the most motion decides most.
 SPAN_WINDOWS = 3  # number of windows in one comparison
 COMPARISONS = 12  # number of comparisons, at the times of the most joint motion
-# Chosen. Below: rolling and noise of feet that stand; above: legs in a wrong order.
-MAX_FOOT_SLIDE = 0.0015  # [m] slide in 0.3 s below which the logged order is right
+# [m] Slide in 0.3 s below which the logged order is right. Chosen. Larger than the rolling and
+# noise of feet that stand, smaller than the slide with legs in a wrong order.
+MAX_FOOT_SLIDE = 0.0015
 # Chosen as in joints.py, but stricter: feet of right logs slip.
 ORDER_FIT_RATIO = 0.15  # ratio of squared slides, best to logged order; above it no error is found
 

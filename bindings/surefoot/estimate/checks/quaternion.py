@@ -14,18 +14,21 @@ from surefoot.estimate.checks.windows import (
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rotation_vectors
 from surefoot.sensor_log.sensor_log import SensorLog
 
-# Chosen; between the two the log is accepted. Below: 5 deg of attitude filters under acceleration;
-# above: the 180 deg of a swapped order. Arming refuses 10 deg.
+# Chosen; between the two the log is accepted. Larger than the 5 deg of attitude filters under
+# acceleration, smaller than the 180 deg of a swapped order. Arming refuses 10 deg.
 WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] angle from the accelerometer's vertical
-# Chosen; between the two the log is accepted. 0: the same rotations; 1: unrelated to the gyroscope.
+# Chosen; between the two the log is accepted. Larger than 0, the same rotations; smaller than 1,
+# rotations unrelated to the gyroscope.
 WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = (
     0.5,
     0.15,
 )  # squared difference to the gyroscope's rotations, as a share of their square
-# Chosen: five times the default bias of a gyroscope, 0.02 rad/s.
-_MIN_ROTATION = 0.01  # [rad] smallest rotation of a window that is compared: 0.1 rad/s
-# Chosen: above the rounding of logs with two digits; degrees or halves are further off.
-_NORM_TOLERANCE = 0.1  # allowed difference between the length of a quaternion and 1
+# [rad] Smallest rotation of a window that is compared: 0.1 rad/s. Chosen. Larger than the default
+# bias of a gyroscope, 0.02 rad/s, by a factor of five.
+_MIN_ROTATION = 0.01
+# Allowed difference between the length of a quaternion and 1. Chosen. Larger than the rounding of
+# logs with two digits, smaller than the error of degrees or halves.
+_NORM_TOLERANCE = 0.1
 
 
 def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:

@@ -10,12 +10,15 @@ import numpy.typing as npt
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.sensor_log import SensorLog
 
-# Chosen. Below: noise of single samples; above: motion reverses within a window.
-WINDOW_TIME = 0.1  # [s] duration of a window
-# Chosen: the bias is 0.02 rad/s by default (gain start_gyroscope_bias).
-MIN_ROTATION = 0.003  # [rad] smallest rotation of a window that is compared: 0.03 rad/s
-# Chosen: half a second of motion, so that one impact decides nothing.
-MIN_WINDOWS = 5  # smallest number of windows for a comparison
+# [s] Duration of a window. Chosen. If smaller: noise of single samples remains. If larger: motion
+# reverses within a window.
+WINDOW_TIME = 0.1
+# [rad] Smallest rotation of a window that is compared: 0.03 rad/s. Chosen. Larger than the bias,
+# 0.02 rad/s by default (gain start_gyroscope_bias).
+MIN_ROTATION = 0.003
+# Smallest number of windows for a comparison. Chosen. Half a second of motion. If smaller: one
+# impact may decide.
+MIN_WINDOWS = 5
 DEG_PER_RAD = 180.0 / np.pi
 
 

@@ -7,7 +7,9 @@ from surefoot.faults.expectation import WATCH, table_expectation
 from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.signals import AttitudeFault, RandomAttitudeFault, SignalFault
 
-NO_ATTITUDE, BAD_QUATERNION = table_expectation("attitude"), table_expectation("quaternion")
+# Both faults have the same cause. A standing robot continues without the quaternion, with the fault
+# "quaternion". A rising robot cannot continue without it, so there the fault is "attitude".
+QUATERNION_FAULT, ATTITUDE_FAULT = table_expectation("quaternion"), table_expectation("attitude")
 intermittent = inject.intermittent
 
 # Some injections are below, some above the limits of imu_monitor.cpp (0.1 rad, 20 ms) and of
@@ -21,15 +23,15 @@ ROWS = (
                 "off",
                 "zero",
                 lambda: SignalFault("quaternion", inject.off),
-                BAD_QUATERNION,
-                rising=NO_ATTITUDE,
+                QUATERNION_FAULT,
+                rising=ATTITUDE_FAULT,
             ),
             case(
                 "wrong",
                 "length 0.9",
                 lambda: SignalFault("quaternion", inject.scaled(0.9)),
-                BAD_QUATERNION,
-                rising=NO_ATTITUDE,
+                QUATERNION_FAULT,
+                rising=ATTITUDE_FAULT,
             ),
             case(
                 "wrong",
@@ -40,56 +42,60 @@ ROWS = (
             case(
                 "wrong",
                 "opposite sign in every second sample",
-                lambda: SignalFault("quaternion", intermittent(inject.scaled(-1.0), 2)),
+                lambda: SignalFault("quaternion", intermittent(inject.scaled(-1.0), every=2)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
                 "zero in 1 sample of 10",
-                lambda: SignalFault("quaternion", intermittent(inject.off, 10)),
+                lambda: SignalFault("quaternion", intermittent(inject.off, every=10)),
                 WATCH,
             ),
         ),
     ),
     Row(
         "attitude_jump",
-        "the attitude jumps",
+        "the attitude jumps, is constant, drifts or is late",
         (
             case(
                 "wrong",
                 "10 degrees of roll",
-                lambda: AttitudeFault(lambda k: 10.0, 0),
-                BAD_QUATERNION,
-                rising=NO_ATTITUDE,
+                lambda: AttitudeFault(lambda k: 10.0, axis=0),
+                QUATERNION_FAULT,
+                rising=ATTITUDE_FAULT,
             ),
             case(
                 "wrong",
                 "90 degrees of yaw",
-                lambda: AttitudeFault(lambda k: 90.0, 2),
-                BAD_QUATERNION,
-                rising=NO_ATTITUDE,
+                lambda: AttitudeFault(lambda k: 90.0, axis=2),
+                QUATERNION_FAULT,
+                rising=ATTITUDE_FAULT,
             ),
             case(
-                "garbage", "any attitude", RandomAttitudeFault, BAD_QUATERNION, rising=NO_ATTITUDE
+                "garbage",
+                "a random attitude in each sample",
+                RandomAttitudeFault,
+                QUATERNION_FAULT,
+                rising=ATTITUDE_FAULT,
             ),
             case(
                 "stuck",
-                "it is constant",
+                "the attitude is constant",
                 lambda: SignalFault("quaternion", inject.stuck()),
                 WATCH,
                 WATCH,
             ),
             case(
                 "slow",
-                "it drifts by 3 deg/s",
-                lambda: AttitudeFault(lambda k: 0.006 * k, 1),
+                "the pitch drifts by 3 deg/s",
+                lambda: AttitudeFault(lambda k: 0.006 * k, axis=1),
                 WATCH,
                 None,
             ),
             case(
                 "delayed",
-                "by 20 ms",
+                "the attitude is 20 ms late",
                 lambda: SignalFault("quaternion", inject.delayed(10)),
                 WATCH,
                 WATCH,
@@ -97,7 +103,7 @@ ROWS = (
             case(
                 "intermittent",
                 "10 degrees of roll in 1 sample of 10",
-                lambda: AttitudeFault(lambda k: 10.0 if k % 10 == 0 else 0.0, 0),
+                lambda: AttitudeFault(lambda k: 10.0 if k % 10 == 0 else 0.0, axis=0),
                 WATCH,
                 None,
             ),

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from surefoot.faults.case import OFF_GROUND_MODES, STANDING_MODES, Row, case
+from surefoot.faults.case import STANDING_MODES, Case, Row, case
 from surefoot.faults.expectation import WATCH, expect_damp, expect_refusal, table_expectation
 from surefoot.faults.kinds import initial_faults as setup
 from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 
-RISING, LYING = ("rising",), ("lying",)
+RISING = ("rising",)
 # FALL expects damping for any fault, because a push can trip the power protection before the
 # supervisor detects the tilt.
 FALL = expect_damp(table_expectation("tilt").within)
-# Highest power protection level of the SDK (1000 W). Measured: landings take up to 552 W in
-# benchmarks/external_lifts.py.
+# Highest power protection level of the SDK (1000 W). Needed for landings: the motors take up to
+# 552 W, measured with benchmarks/external_lifts.py.
 LANDING_LEVEL = 10
 
-# The numbers are chosen. The robot must go on with the changes of `model_mismatch` and `ground`. In
-# `payload` the payload exceeds payload_limit. The second argument of table_expectation() is the
-# time [s] until the robot stands or until the injection has an effect.
+# The numbers are chosen. In spite of the changes in `model_mismatch` and `ground`, the robot must
+# continue. In `payload` the payload exceeds payload_limit. The argument delay of
+# table_expectation() is the time [s] until the robot stands or until the injection has an effect.
 MODEL = (
     Row(
         "model_mismatch",
@@ -28,14 +28,14 @@ MODEL = (
                 "10 % more mass",
                 lambda: setup.UnknownPayload(0.1),
                 WATCH,
-                modes=OFF_GROUND_MODES,
+                lying=None,
             ),
             case(
                 "wrong",
-                "10 % more mass, 10 cm to the rear",
-                lambda: setup.UnknownPayload(0.1, -0.1),
+                "10 % more mass, 10 cm behind the origin of the base",
+                lambda: setup.UnknownPayload(0.1, x=-0.1),
                 WATCH,
-                modes=OFF_GROUND_MODES,
+                lying=None,
             ),
         ),
     ),
@@ -48,14 +48,14 @@ MODEL = (
                 "friction 0.4",
                 lambda: setup.ChangedSurroundings(friction=0.4),
                 WATCH,
-                modes=OFF_GROUND_MODES,
+                lying=None,
             ),
             case(
                 "wrong",
                 "feet sink by 1 cm",
                 lambda: setup.ChangedSurroundings(sink=0.01),
                 WATCH,
-                modes=OFF_GROUND_MODES,
+                lying=None,
             ),
         ),
     ),
@@ -67,7 +67,7 @@ MODEL = (
                 "wrong",
                 "payload 15 % of the mass, limit 10 %",
                 lambda: setup.UnknownPayload(0.15, limit=0.1),
-                table_expectation("payload", 7.0),
+                table_expectation("payload", delay=7.0),
                 modes=RISING,
             ),
         ),
@@ -80,24 +80,27 @@ MODEL = (
                 "wrong",
                 "feet in the air",
                 lambda: setup.ChangedSurroundings(hung=True),
-                table_expectation("hanging", 6.0),
+                table_expectation("hanging", delay=6.0),
                 modes=RISING,
             ),
         ),
     ),
     Row(
         "unknown_pose",
-        "the initial pose is not a lying pose",
+        "the robot does not lie level at the start, or reports that it does not",
         (
-            case("wrong", "it stands in position mode", setup.StartsStanding, WATCH, modes=RISING),
             case(
                 "wrong",
-                "its IMU reports 35 degrees of pitch",
-                setup.reported_slope,
+                "the robot stands in position mode",
+                setup.StartsStanding,
                 WATCH,
-                expect_refusal(0.5),
-                None,
-                LYING,
+                modes=RISING,
+            ),
+            Case(
+                "wrong",
+                "the robot lies level, its IMU reports 35 degrees of pitch",
+                setup.reported_slope,
+                {"lying": expect_refusal(0.5)},
             ),
         ),
     ),
@@ -109,10 +112,10 @@ FALLS = (
         (
             case(
                 "wrong",
-                "a push rolls it over",
-                lambda: PushFault(4.0, 1.0, until_down=True),
+                "a push rolls the robot over",
+                lambda: PushFault(4.0, height=1.0, until_down=True),
                 FALL,
-                modes=OFF_GROUND_MODES,
+                lying=None,
             ),
         ),
     ),
@@ -123,7 +126,7 @@ FALLS = (
             case(
                 "wrong",
                 "a push of twice the LIP push limit",
-                lambda: PushFault(2.0, 0.0, until_down=True),
+                lambda: PushFault(2.0, height=0.0, until_down=True),
                 FALL,
                 modes=STANDING_MODES,
             ),
@@ -135,16 +138,16 @@ FALLS = (
         (
             case(
                 "wrong",
-                "by 10 cm for a second",
-                lambda: LiftFault("trunk", 0.1, 1.0, 0.3),
-                table_expectation("lifted", 0.3),
+                "by 10 cm for 1 s",
+                lambda: LiftFault("trunk", height=0.1, duration=1.0, ramp=0.3),
+                table_expectation("lifted", delay=0.3),
                 modes=STANDING_MODES,
                 level=LANDING_LEVEL,
             ),
             case(
                 "wrong",
-                "by 10 cm while it rises",
-                lambda: LiftFault("trunk", 0.1, 1.0, 0.3),
+                "by 10 cm while the robot rises",
+                lambda: LiftFault("trunk", height=0.1, duration=1.0, ramp=0.3),
                 WATCH,
                 modes=RISING,
                 level=LANDING_LEVEL,
@@ -158,8 +161,8 @@ FALLS = (
             case(
                 "wrong",
                 "from 10 cm",
-                lambda: LiftFault("trunk", 0.1, 0.6),
-                table_expectation("lifted", 0.3),
+                lambda: LiftFault("trunk", height=0.1, duration=0.6),
+                table_expectation("lifted", delay=0.3),
                 modes=("standing",),
                 level=LANDING_LEVEL,
             ),

@@ -9,11 +9,17 @@ from surefoot.faults.kinds.fault import CombinedFault, Fault
 from surefoot.faults.kinds.signals import SignalFault
 from surefoot.faults.kinds.world_faults import LiftFault, WorkingFootSensors
 
-NO_FORCE = table_expectation("foot_force")
+FOOT_FORCE_FAULT = table_expectation("foot_force")
 intermittent = inject.intermittent
 
 
-def _feet(change: inject.Change, change_raw: inject.Change, foot: int | None = None) -> Fault:
+def _wrong_sensors(
+    change: inject.Change, change_raw: inject.Change, foot: int | None = None
+) -> Fault:
+    """Return a fault that changes footForceEst and footForce of one foot, or of all feet.
+
+    A change that stores values, such as stuck(), needs a separate object for each signal.
+    """
     return CombinedFault(
         WorkingFootSensors(),
         SignalFault("footForceEst", change, foot),
@@ -21,8 +27,13 @@ def _feet(change: inject.Change, change_raw: inject.Change, foot: int | None = N
     )
 
 
-def _foot_at_60() -> Fault:
-    return _feet(inject.constant(60), inject.constant(60), 0)
+def _foot_reports_60() -> Fault:
+    return _wrong_sensors(inject.constant(60), inject.constant(60), foot=0)
+
+
+def _foot_alternates_with_zero() -> Fault:
+    change = intermittent(inject.off, every=20, length=10)
+    return _wrong_sensors(change, change, foot=0)
 
 
 # Chosen values, in N (footForceEst) and in counts (footForce): 300 exceeds the weight of a small
@@ -32,43 +43,49 @@ ROWS = (
         "foot_sensor",
         "foot sensors are constant, zero, drifting or saturated",
         (
-            case("off", "all zero", lambda: _feet(inject.off, inject.off), WATCH, WATCH),
+            case("off", "all zero", lambda: _wrong_sensors(inject.off, inject.off), WATCH, WATCH),
             case(
-                "stuck", "all constant", lambda: _feet(inject.stuck(), inject.stuck()), WATCH, WATCH
+                "stuck",
+                "all constant",
+                lambda: _wrong_sensors(inject.stuck(), inject.stuck()),
+                WATCH,
+                WATCH,
             ),
             case(
                 "garbage",
                 "all random up to 300",
-                lambda: _feet(inject.garbage(300), inject.garbage(300)),
+                lambda: _wrong_sensors(inject.garbage(300), inject.garbage(300)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "wrong",
                 "one saturated",
-                lambda: _feet(inject.constant(32767), inject.constant(32767), 0),
-                NO_FORCE,
+                lambda: _wrong_sensors(inject.constant(32767), inject.constant(32767), foot=0),
+                FOOT_FORCE_FAULT,
                 lying=WATCH,
                 rising=WATCH,
             ),
             case(
                 "slow",
-                "one drifts by 50 N a second",
-                lambda: _feet(inject.drifting(0.1), inject.drifting(0.1), 2),
+                "one drifts by 50 N/s",
+                lambda: _wrong_sensors(inject.drifting(0.1), inject.drifting(0.1), foot=2),
                 WATCH,
                 WATCH,
             ),
             case(
                 "delayed",
-                "all by 50 ms",
-                lambda: _feet(inject.delayed(25), inject.delayed(25)),
+                "all late by 50 ms",
+                lambda: _wrong_sensors(inject.delayed(25), inject.delayed(25)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
                 "all zero in 1 sample of 3",
-                lambda: _feet(intermittent(inject.off, 3), intermittent(inject.off, 3)),
+                lambda: _wrong_sensors(
+                    intermittent(inject.off, every=3), intermittent(inject.off, every=3)
+                ),
                 WATCH,
                 WATCH,
             ),
@@ -81,23 +98,23 @@ ROWS = (
             case(
                 "off",
                 "one foot reports zero",
-                lambda: _feet(inject.off, inject.off, 1),
+                lambda: _wrong_sensors(inject.off, inject.off, foot=1),
                 WATCH,
                 WATCH,
             ),
             case(
                 "wrong",
                 "a foot lifted by 2 cm reports 60 N",
-                lambda: CombinedFault(_foot_at_60(), LiftFault("FR", 0.02, 0.4)),
+                lambda: CombinedFault(
+                    _foot_reports_60(), LiftFault("FR", height=0.02, duration=0.4)
+                ),
                 WATCH,
                 modes=STANDING_MODES,
             ),
             case(
                 "garbage",
                 "a foot alternates between zero and 60 N",
-                lambda: CombinedFault(
-                    _foot_at_60(), _feet(*2 * (intermittent(inject.off, 20, 10),), 0)
-                ),
+                lambda: CombinedFault(_foot_reports_60(), _foot_alternates_with_zero()),
                 WATCH,
                 lying=WATCH,
             ),

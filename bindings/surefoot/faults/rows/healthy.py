@@ -10,10 +10,16 @@ from surefoot.faults.kinds.link_faults import LinkFault
 ROWS = (
     Row(
         "healthy",
-        "nothing: the control",
+        "no fault, for comparison",
         (
-            case("off", "nothing", Fault, WATCH, WATCH),
-            case("off", "nothing, through frames", lambda: LinkFault(_unchanged), WATCH, WATCH),
+            case("off", "no fault", Fault, WATCH, WATCH),
+            case(
+                "off",
+                "no fault; samples sent as frames",
+                lambda: LinkFault(_unchanged),
+                WATCH,
+                WATCH,
+            ),
         ),
     ),
 )

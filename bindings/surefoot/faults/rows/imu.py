@@ -8,35 +8,41 @@ from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault, Fault
 from surefoot.faults.kinds.signals import SignalFault
 
-# [s] Time allowed until the robot stands; some faults can only be detected then. Chosen: longer
-# than the rest of a rise after RISE_FRACTION (2 s) and the fade (0.25 s).
-RISE_TIME = 6.0
-NO_RATE, NO_RATE_LATER = table_expectation("gyroscope"), table_expectation("gyroscope", RISE_TIME)
-NO_ACCELERATION = table_expectation("accelerometer")
-NO_INITIAL_ACCELERATION = expect_sit("accelerometer", RISE_TIME)
-SLOW_REFUSAL = expect_refusal(0.5)  # [s] time limit of checks that average a signal over 0.1 s
+# [s] Time from an injection into a rising robot until the robot stands. It is added to the
+# detection time of faults that are detected only when the robot stands. Chosen: longer than the
+# rest of the rise after RISE_FRACTION of matrix/reach_mode.py (2 s) plus the fade of the torques
+# (0.25 s).
+DELAY_UNTIL_STANDING = 6.0
+GYROSCOPE_FAULT = table_expectation("gyroscope")
+GYROSCOPE_FAULT_WHEN_STANDING = table_expectation("gyroscope", delay=DELAY_UNTIL_STANDING)
+ACCELEROMETER_FAULT = table_expectation("accelerometer")
+SIT_FOR_ACCELEROMETER = expect_sit("accelerometer", delay=DELAY_UNTIL_STANDING)
+# [s] Time limit of refusals by arming checks that filter a signal with a time constant of 0.1 s.
+LATE_REFUSAL = expect_refusal(0.5)
 intermittent = inject.intermittent
 
 
-def _gyroscope(x: float) -> SignalFault:
+def _gyroscope_offset(x: float) -> SignalFault:
     return SignalFault("gyroscope", inject.offset([x, 0.0, 0.0]))
 
 
-def _accelerometer(x: float, z: float) -> SignalFault:
+def _accelerometer_offset(x: float = 0.0, z: float = 0.0) -> SignalFault:
     return SignalFault("accelerometer", inject.offset([x, 0.0, z]))
 
 
-def _dead_imu(change: inject.Change) -> Fault:
-    return CombinedFault(SignalFault("gyroscope", change), SignalFault("accelerometer", change))
+def _zero_imu() -> Fault:
+    names = ("gyroscope", "accelerometer")
+    return CombinedFault(*(SignalFault(name, inject.off) for name in names))
 
 
-def _frozen_imu() -> list[Fault]:
+def _stuck_imu() -> Fault:
     names = ("gyroscope", "accelerometer", "quaternion")
-    return [SignalFault(name, inject.stuck()) for name in names]
+    return CombinedFault(*(SignalFault(name, inject.stuck()) for name in names))
 
 
-def _late_imu() -> list[Fault]:
-    return [SignalFault(name, inject.delayed(5)) for name in ("gyroscope", "accelerometer")]
+def _late_imu() -> Fault:
+    names = ("gyroscope", "accelerometer")
+    return CombinedFault(*(SignalFault(name, inject.delayed(5)) for name in names))
 
 
 # Some injections are below, some above the limits of imu_monitor.cpp (0.08 and 3 rad/s, 50 ms) and
@@ -44,60 +50,68 @@ def _late_imu() -> list[Fault]:
 ROWS = (
     Row(
         "imu_bias",
-        "gyroscope or accelerometer are biased",
+        "gyroscope or accelerometer is biased",
         (
-            case("wrong", "gyroscope 0.02 rad/s", lambda: _gyroscope(0.02), WATCH, WATCH),
             case(
-                "wrong",
-                "gyroscope 0.1 rad/s",
-                lambda: _gyroscope(0.1),
-                NO_RATE,
-                SLOW_REFUSAL,
-                rising=NO_RATE_LATER,
+                "wrong", "gyroscope bias 0.02 rad/s", lambda: _gyroscope_offset(0.02), WATCH, WATCH
             ),
-            case("wrong", "acceleration 0.2 m/s2", lambda: _accelerometer(0.2, 0.0), WATCH, WATCH),
             case(
                 "wrong",
-                "acceleration 0.7 m/s2 upwards",
-                lambda: _accelerometer(0.0, 0.7),
+                "gyroscope bias 0.1 rad/s",
+                lambda: _gyroscope_offset(0.1),
+                GYROSCOPE_FAULT,
+                LATE_REFUSAL,
+                rising=GYROSCOPE_FAULT_WHEN_STANDING,
+            ),
+            case(
+                "wrong",
+                "accelerometer bias 0.2 m/s^2 forwards",
+                lambda: _accelerometer_offset(x=0.2),
                 WATCH,
-                SLOW_REFUSAL,
+                WATCH,
+            ),
+            case(
+                "wrong",
+                "accelerometer bias 0.7 m/s^2 upwards",
+                lambda: _accelerometer_offset(z=0.7),
+                WATCH,
+                LATE_REFUSAL,
             ),
             case(
                 "slow",
-                "the gyroscope drifts by 0.02 rad/s every second",
+                "the gyroscope bias grows by 0.02 rad/s every second",
                 lambda: SignalFault("gyroscope", inject.drifting(4e-5)),
-                table_expectation("gyroscope", 3.0),
+                table_expectation("gyroscope", delay=3.0),
                 WATCH,
-                rising=table_expectation("gyroscope", 3.0 + RISE_TIME),
+                rising=table_expectation("gyroscope", delay=3.0 + DELAY_UNTIL_STANDING),
             ),
         ),
     ),
     Row(
         "imu_dropout",
-        "the IMU is lost, constant or saturated",
+        "the IMU fails: zero, constant, saturated, random, late or with a large offset",
         (
             case(
                 "off",
                 "rates and accelerations zero",
-                lambda: _dead_imu(inject.off),
-                NO_RATE,
-                rising=NO_RATE_LATER,
+                _zero_imu,
+                GYROSCOPE_FAULT,
+                rising=GYROSCOPE_FAULT_WHEN_STANDING,
             ),
             case(
                 "stuck",
-                "rates and accelerations constant",
-                lambda: CombinedFault(*_frozen_imu()),
-                NO_RATE,
-                rising=NO_RATE_LATER,
+                "rates, accelerations and attitude constant",
+                _stuck_imu,
+                GYROSCOPE_FAULT,
+                rising=GYROSCOPE_FAULT_WHEN_STANDING,
                 lying=expect_refusal(0.1),
             ),
             case(
                 "wrong",
                 "a rate saturated at 34.9 rad/s",
-                lambda: SignalFault("gyroscope", inject.constant(34.9), 0),
-                NO_RATE,
-                rising=NO_RATE_LATER,
+                lambda: SignalFault("gyroscope", inject.constant(34.9), parts=0),
+                GYROSCOPE_FAULT,
+                rising=GYROSCOPE_FAULT_WHEN_STANDING,
                 lying=expect_refusal(0.1),
             ),
             case(
@@ -105,50 +119,50 @@ ROWS = (
                 "rates random up to 10 rad/s",
                 lambda: SignalFault("gyroscope", inject.garbage(10.0)),
                 table_expectation("attitude"),
-                SLOW_REFUSAL,
+                LATE_REFUSAL,
             ),
             case(
                 "off",
                 "accelerations zero",
                 lambda: SignalFault("accelerometer", inject.off),
-                NO_ACCELERATION,
-                rising=NO_INITIAL_ACCELERATION,
+                ACCELEROMETER_FAULT,
+                rising=SIT_FOR_ACCELEROMETER,
             ),
             case(
                 "stuck",
                 "accelerations constant",
                 lambda: SignalFault("accelerometer", inject.stuck()),
-                NO_ACCELERATION,
+                ACCELEROMETER_FAULT,
                 WATCH,
-                NO_INITIAL_ACCELERATION,
+                rising=SIT_FOR_ACCELEROMETER,
             ),
             case(
                 "delayed",
-                "rates and accelerations by 10 ms",
-                lambda: CombinedFault(*_late_imu()),
+                "rates and accelerations late by 10 ms",
+                _late_imu,
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
-                "rates zero for 20 ms of every 200",
-                lambda: SignalFault("gyroscope", intermittent(inject.off, 100, 10)),
+                "rates zero for 20 ms of every 200 ms",
+                lambda: SignalFault("gyroscope", intermittent(inject.off, every=100, length=10)),
                 WATCH,
                 None,
             ),
             case(
                 "wrong",
                 "a rate 2.5 rad/s too high",
-                lambda: _gyroscope(2.5),
-                NO_RATE,
-                SLOW_REFUSAL,
-                rising=NO_RATE_LATER,
+                lambda: _gyroscope_offset(2.5),
+                GYROSCOPE_FAULT,
+                LATE_REFUSAL,
+                rising=GYROSCOPE_FAULT_WHEN_STANDING,
             ),
             case(
                 "intermittent",
                 "a rate 20 rad/s too high for 10 ms of every second",
                 lambda: SignalFault(
-                    "gyroscope", intermittent(inject.offset([20.0, 0.0, 0.0]), 500, 5)
+                    "gyroscope", intermittent(inject.offset([20.0, 0.0, 0.0]), every=500, length=5)
                 ),
                 WATCH,
                 None,

@@ -8,62 +8,67 @@ from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.joint_faults import JointOutsideLimits
 from surefoot.faults.kinds.signals import SignalFault
 
-KNEE = 5  # FL_2
+CALF = 5  # FL_2
 intermittent = inject.intermittent
 
-# JointMonitor allows jumps of 0.08 rad beyond the measured velocity. No motor exceeds 31 rad/s
-# (models/*.toml), and check_low_state() rejects more than twice this speed. Noise of 1 rad/s is 20
+# JointMonitor allows an angle to change, between two samples, by 0.08 rad more than the measured
+# velocity explains. No motor exceeds 31 rad/s (models/*.toml), and check_low_state() rejects more
+# than twice this velocity. Noise of 1 rad/s is 20
 # times the noise of the measured velocities.
 ROWS = (
     Row(
         "joint_limit",
-        "a joint reports an angle beyond its limit",
+        "a calf joint reports an angle beyond its limit",
         (
             case(
                 "wrong",
-                "a knee reports 0.3 rad beyond its stop",
-                lambda: JointOutsideLimits(0.3, KNEE, True),
+                "0.3 rad below the lower limit",
+                lambda: JointOutsideLimits(0.3, CALF, below=True),
                 table_expectation("joint_jump"),
             ),
             case(
                 "intermittent",
-                "a knee: 0.3 rad beyond its stop, 1 sample of 25",
-                lambda: JointOutsideLimits(0.3, KNEE, True, 25),
+                "0.3 rad below the lower limit, in 1 sample of 25",
+                lambda: JointOutsideLimits(0.3, CALF, below=True, every=25),
                 WATCH,
             ),
         ),
     ),
     Row(
         "joint_speed",
-        "joint speeds at or beyond the motors' limits",
+        "measured joint velocities are wrong",
         (
             case(
                 "wrong",
-                "a knee reports 100 rad/s",
-                lambda: SignalFault("dq", inject.constant(100.0), KNEE),
+                "a calf joint reports 100 rad/s",
+                lambda: SignalFault("dq", inject.constant(100.0), CALF),
                 table_expectation("state_implausible"),
             ),
             case(
-                "off", "a knee reports 0", lambda: SignalFault("dq", inject.off, KNEE), WATCH, WATCH
+                "off",
+                "a calf joint reports 0",
+                lambda: SignalFault("dq", inject.off, CALF),
+                WATCH,
+                WATCH,
             ),
             case(
                 "garbage",
-                "noise of 1 rad/s on all",
+                "all have noise of 1 rad/s",
                 lambda: SignalFault("dq", inject.noise(1.0)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "delayed",
-                "all by 10 ms",
+                "all late by 10 ms",
                 lambda: SignalFault("dq", inject.delayed(5)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
-                "a knee reports 25 rad/s in 1 sample of 25",
-                lambda: SignalFault("dq", intermittent(inject.constant(25.0), 25), KNEE),
+                "a calf joint reports 25 rad/s in 1 sample of 25",
+                lambda: SignalFault("dq", intermittent(inject.constant(25.0), every=25), CALF),
                 WATCH,
                 None,
             ),

@@ -6,16 +6,11 @@ from surefoot.faults.case import Row, case
 from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation, watch_unless
 from surefoot.faults.kinds import clock_faults as clock
 from surefoot.faults.kinds import link_faults as link
-from surefoot.faults.kinds.fault import Fault
 
 STALE = table_expectation("stale_tick")
-# [s] Time limit of a refusal. If 4 % of the frames are lost, the arming check needs 0.3 s to count
-# 1 % missing samples.
-SLOW = expect_refusal(0.5)
-
-
-def _suspended() -> Fault:
-    return clock.ProgramSuspended(250)
+# [s] Time limit of a refusal for lost frames. With 4 % of the frames lost, it takes 0.3 s until the
+# arming check "link" fails: until its mean share of missing samples (time constant 1 s) is 1 %.
+LATE_REFUSAL = expect_refusal(0.5)
 
 
 # Some injections are below, some above kHoldTime (10 ms), kRobotWatchdogTime (100 ms), and the
@@ -32,11 +27,11 @@ LINK = (
                 lambda: link.LinkFault(link.frozen_frame()),
                 STALE,
             ),
-            case("wrong", "new data, the same tick", lambda: clock.FrozenTick(), STALE),
+            case("wrong", "new data, the same tick", clock.FrozenTick, STALE),
             case(
                 "intermittent",
                 "3 frames of 50 are lost",
-                lambda: link.LinkFault(link.intermittent(link.no_frame, 50, 3)),
+                lambda: link.LinkFault(link.intermittent(link.no_frame, every=50, length=3)),
                 WATCH,
             ),
         ),
@@ -47,21 +42,21 @@ LINK = (
         (
             case(
                 "garbage",
-                "each arrives twice",
+                "each frame arrives twice",
                 lambda: link.LinkFault(link.duplicated),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
-                "1 of 25 is overtaken",
+                "1 frame of 25 arrives after the next one",
                 lambda: link.LinkFault(link.swapped(25)),
                 WATCH,
             ),
             case(
                 "delayed",
-                "1 of 25 is 6 ms late",
-                lambda: link.LinkFault(link.delayed(3, 25)),
+                "1 frame of 25 is 6 ms late",
+                lambda: link.LinkFault(link.delayed(3, every=25)),
                 WATCH,
             ),
             case(
@@ -76,33 +71,51 @@ LINK = (
         "tick_wrap",
         "the robot's clock overflows",
         (
-            case("wrong", "32 bits", lambda: clock.TickOverflow(32), WATCH, WATCH),
-            case("wrong", "31 bits", lambda: clock.TickOverflow(31), WATCH, WATCH),
+            case(
+                "wrong",
+                "32 bits: the tick returns to 0",
+                lambda: clock.TickOverflow(32),
+                WATCH,
+                WATCH,
+            ),
+            case(
+                "wrong",
+                "31 bits: a signed tick becomes negative",
+                lambda: clock.TickOverflow(31),
+                WATCH,
+                WATCH,
+            ),
         ),
     ),
     Row(
         "tick_jump",
         "the robot's clock jumps, or runs at another speed",
         (
-            case("wrong", "50 ms ahead", lambda: clock.TickFault(lambda t, k: t + 50), WATCH, None),
+            case(
+                "wrong",
+                "the clock jumps ahead by 50 ms",
+                lambda: clock.TickFault(lambda t, k: t + 50),
+                WATCH,
+                None,
+            ),
             case(
                 "slow",
-                "half as fast",
-                lambda: clock.TickFault(clock.clock_at_speed(1)),
+                "the clock runs half as fast",
+                lambda: clock.TickFault(clock.clock_at_speed(per_period=1)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "wrong",
-                "twice as fast",
-                lambda: clock.TickFault(clock.clock_at_speed(4)),
+                "the clock runs twice as fast",
+                lambda: clock.TickFault(clock.clock_at_speed(per_period=4)),
                 watch_unless("clock"),
                 None,
                 rising=table_expectation("clock"),
             ),
             case(
                 "intermittent",
-                "8 ms ahead in 1 frame of 50",
+                "the clock is 8 ms ahead in 1 frame of 50",
                 lambda: clock.TickFault(lambda t, k: t + 8 * (k % 50 == 0)),
                 WATCH,
                 None,
@@ -116,51 +129,72 @@ LINK = (
             case("off", "no frames", lambda: link.LinkFault(link.no_frame), STALE),
             case(
                 "garbage",
-                "one bit of each is flipped",
+                "each frame has a flipped bit",
                 lambda: link.LinkFault(link.flipped_bit),
                 STALE,
             ),
-            case("garbage", "random bytes", lambda: link.LinkFault(link.random_bytes), STALE),
-            case("wrong", "half of each is missing", lambda: link.LinkFault(link.truncated), STALE),
+            case(
+                "garbage",
+                "frames of random bytes",
+                lambda: link.LinkFault(link.random_bytes),
+                STALE,
+            ),
             case(
                 "wrong",
-                "length of another SDK's frames",
+                "half of each frame is missing",
+                lambda: link.LinkFault(link.truncated),
+                STALE,
+            ),
+            case(
+                "wrong",
+                "frames have the length of another generation",
                 lambda: link.LinkFault(link.wrong_length(795)),
                 STALE,
             ),
             case(
                 "slow",
-                "every second one",
-                lambda: link.LinkFault(link.intermittent(link.no_frame, 2)),
+                "1 frame of 2 is lost",
+                lambda: link.LinkFault(link.intermittent(link.no_frame, every=2)),
                 WATCH,
             ),
-            case("delayed", "all by 6 ms", lambda: link.LinkFault(link.delayed(3)), WATCH, WATCH),
             case(
-                "intermittent", "4 %", lambda: link.LinkFault(link.random_loss(0.04)), WATCH, SLOW
+                "delayed",
+                "all frames are 6 ms late",
+                lambda: link.LinkFault(link.delayed(3)),
+                WATCH,
+                WATCH,
             ),
             case(
                 "intermittent",
-                "8 %",
+                "4 % of the frames are lost",
+                lambda: link.LinkFault(link.random_loss(0.04)),
+                WATCH,
+                LATE_REFUSAL,
+            ),
+            case(
+                "intermittent",
+                "8 % of the frames are lost",
                 lambda: link.LinkFault(link.random_loss(0.08)),
                 table_expectation("loss"),
-                SLOW,
+                LATE_REFUSAL,
             ),
             case(
                 "intermittent",
-                "8 ms of every 100",
-                lambda: link.LinkFault(link.intermittent(link.no_frame, 50, 4)),
+                "the frames of 8 ms in every 100 ms are lost",
+                lambda: link.LinkFault(link.intermittent(link.no_frame, every=50, length=4)),
                 WATCH,
             ),
             case(
                 "intermittent",
-                "one bit of 1 in 10 is flipped",
-                lambda: link.LinkFault(link.intermittent(link.flipped_bit, 10)),
+                "1 frame of 10 has a flipped bit",
+                lambda: link.LinkFault(link.intermittent(link.flipped_bit, every=10)),
                 WATCH,
             ),
         ),
     ),
 )
-# Gaps of 0.5 s exceed kRobotWatchdogTime. Gaps of 6 ms in every 100 ms are shorter than kHoldTime.
+# Stops and steps of 0.5 s exceed kRobotWatchdogTime. Periods missed for 6 ms in every 100 ms are
+# shorter than kHoldTime.
 CLOCK = (
     Row(
         "control_overrun",
@@ -168,21 +202,21 @@ CLOCK = (
         (
             case(
                 "slow",
-                "every second period",
+                "1 period of 2 is missed",
                 lambda: clock.MissedPeriods(lambda k: k % 2 == 0),
                 WATCH,
                 None,
             ),
             case(
                 "intermittent",
-                "10 % of the periods",
+                "10 % of the periods are missed",
                 lambda: clock.MissedPeriods(clock.random_periods(0.1)),
                 WATCH,
                 None,
             ),
             case(
                 "stuck",
-                "6 ms of every 100",
+                "the periods of 6 ms in every 100 ms are missed",
                 lambda: clock.MissedPeriods(lambda k: k % 50 < 3),
                 WATCH,
                 None,
@@ -191,24 +225,24 @@ CLOCK = (
     ),
     Row(
         "clock_gap",
-        "the control process or the robot's clock stops for a time",
+        "the control process stops for 0.5 s, or the robot's clock steps by 0.5 s",
         (
             case(
                 "stuck",
-                "the process stops for 0.5 s",
-                lambda: clock.ProgramSuspended(250),
+                "the process stops",
+                lambda: clock.ProgramSuspended(periods=250),
                 STALE,
                 expect_refusal(0.55),
             ),
             case(
                 "wrong",
-                "the clock steps by 0.5 s",
+                "the clock steps forward",
                 lambda: clock.TickFault(lambda t, k: t + 500),
                 STALE,
             ),
             case(
                 "wrong",
-                "the clock steps back by 0.5 s",
+                "the clock steps back",
                 lambda: clock.TickFault(lambda t, k: t - 500),
                 STALE,
             ),

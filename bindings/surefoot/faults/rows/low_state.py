@@ -10,19 +10,19 @@ from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault
 from surefoot.faults.kinds.signals import AllSensorsFault, SignalFault
 
-KNEE, LEG = 5, [3, 4, 5]  # FL_2, FL
-NOT_FINITE = table_expectation("state_not_finite")
+CALF, FL_LEG = 5, [3, 4, 5]  # motors FL_2; FL_0 .. FL_2
+NOT_FINITE_FAULT = table_expectation("state_not_finite")
 NAN, INF = math.nan, math.inf
 intermittent = inject.intermittent
 
 
-def _imu(ticks: int) -> CombinedFault:
+def _slow_imu(periods: int) -> CombinedFault:
     names = ("quaternion", "gyroscope", "accelerometer")
-    return CombinedFault(*(SignalFault(name, inject.slow(ticks)) for name in names))
+    return CombinedFault(*(SignalFault(name, inject.slow(periods)) for name in names))
 
 
-def _leg() -> CombinedFault:
-    return CombinedFault(*(SignalFault(name, inject.stuck(), LEG) for name in ("q", "dq")))
+def _stuck_leg() -> CombinedFault:
+    return CombinedFault(*(SignalFault(name, inject.stuck(), FL_LEG) for name in ("q", "dq")))
 
 
 # The slowest known rate at which a robot sends new values is 50 Hz (RepeatedSample).
@@ -34,42 +34,54 @@ ROWS = (
             case(
                 "garbage",
                 "a joint angle is NaN",
-                lambda: SignalFault("q", inject.constant(NAN), KNEE),
-                NOT_FINITE,
+                lambda: SignalFault("q", inject.constant(NAN), CALF),
+                NOT_FINITE_FAULT,
             ),
             case(
                 "wrong",
                 "a gyroscope axis is infinite",
-                lambda: SignalFault("gyroscope", inject.constant(INF), 1),
-                NOT_FINITE,
+                lambda: SignalFault("gyroscope", inject.constant(INF), parts=1),
+                NOT_FINITE_FAULT,
             ),
             case(
                 "stuck",
                 "all measured torques are NaN",
                 lambda: SignalFault("tauEst", inject.constant(NAN)),
-                NOT_FINITE,
+                NOT_FINITE_FAULT,
             ),
             case(
                 "intermittent",
-                "joint speeds are NaN in 1 sample of 25",
-                lambda: SignalFault("dq", intermittent(inject.constant(NAN), 25)),
+                "joint velocities are NaN in 1 sample of 25",
+                lambda: SignalFault("dq", intermittent(inject.constant(NAN), every=25)),
                 WATCH,
             ),
         ),
     ),
     Row(
         "duplicate_data",
-        "old data with a tick that advances",
+        "samples with a new tick repeat old data",
         (
-            case("slow", "IMU at 50 Hz", lambda: _imu(10), WATCH, WATCH),
             case(
                 "slow",
-                "accelerometer new in every second sample",
+                "the IMU sends new values at 50 Hz",
+                lambda: _slow_imu(periods=10),
+                WATCH,
+                WATCH,
+            ),
+            case(
+                "slow",
+                "accelerometer sends a new value in every second sample",
                 lambda: SignalFault("accelerometer", inject.slow(2)),
                 WATCH,
                 WATCH,
             ),
-            case("slow", "all at 50 Hz", lambda: AllSensorsFault(inject.slow(10)), WATCH, WATCH),
+            case(
+                "slow",
+                "all sensors send new values at 50 Hz",
+                lambda: AllSensorsFault(inject.slow(10)),
+                WATCH,
+                WATCH,
+            ),
             case(
                 "stuck",
                 "all sensors constant",
@@ -79,18 +91,22 @@ ROWS = (
             ),
             case(
                 "stuck",
-                "angles and speeds of a leg constant",
-                _leg,
+                "angles and velocities of a leg constant",
+                _stuck_leg,
                 watch_unless("encoder"),
                 lying=None,
                 rising=table_expectation("encoder"),
             ),
             case(
-                "delayed", "all by 6 ms", lambda: AllSensorsFault(inject.delayed(3)), WATCH, WATCH
+                "delayed",
+                "all sensors late by 6 ms",
+                lambda: AllSensorsFault(inject.delayed(3)),
+                WATCH,
+                WATCH,
             ),
             case(
                 "intermittent",
-                "1 sample of 10 repeats the last data",
+                "1 sample of 10 repeats the data of the sample before",
                 lambda: AllSensorsFault(inject.repeated(10)),
                 WATCH,
                 WATCH,

@@ -8,33 +8,34 @@ from surefoot.faults.kinds import motor_faults as motor
 from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.signals import SignalFault
 
-THIGH, KNEE = 4, 5  # FL_1, FL_2
-WEAK, HOT = watch_unless("motor_weak"), table_expectation("temperature")
-OFF = table_expectation("motor_mode")
+THIGH, CALF = 4, 5  # FL_1, FL_2
+WEAK_FAULT_ALLOWED = watch_unless("motor_weak")
+TEMPERATURE_FAULT = table_expectation("temperature")
+MOTOR_MODE_FAULT = table_expectation("motor_mode")
 intermittent = inject.intermittent
 
 
-def _torque(change: inject.Change) -> SignalFault:
-    return SignalFault("tauEst", change, KNEE)
+def _wrong_torque(change: inject.Change) -> SignalFault:
+    return SignalFault("tauEst", change, CALF)
 
 
-def _dead(injection: str, what: str, number: int, mode: int) -> Case:
+def _dead_motor(injection: str, description: str, number: int, mode: int) -> Case:
     """Return a case of a dead motor: a standing robot must continue on the other three legs.
 
     After a push, three legs can be too weak. Then damping with the fault motor_mode is accepted.
     """
     return case(
         injection,
-        what,
+        description,
         lambda: motor.DeadMotor(number, mode),
         table_expectation("leg_lost"),
-        rising=OFF,
+        rising=MOTOR_MODE_FAULT,
         pushed=watch_unless("motor_mode"),
         slow_descent=True,
     )
 
 
-def _heat(change: inject.Change) -> SignalFault:
+def _wrong_temperature(change: inject.Change) -> SignalFault:
     return SignalFault("temperature", change, THIGH)
 
 
@@ -45,40 +46,52 @@ ROWS = (
         "tau_mismatch",
         "measured torques differ from the commanded ones",
         (
-            case("off", "a knee reports 0", lambda: _torque(inject.off), WEAK, WATCH),
-            case("stuck", "a knee constant", lambda: _torque(inject.stuck()), WEAK, WATCH),
             case(
-                "garbage",
-                "a knee reports random values",
-                lambda: _torque(inject.garbage(10)),
-                WEAK,
-                WATCH,
-            ),
-            case(
-                "wrong",
-                "a knee makes 60 % of its torque",
-                lambda: motor.WeakMotor(KNEE, 0.6),
-                WEAK,
+                "off",
+                "a calf motor reports 0",
+                lambda: _wrong_torque(inject.off),
+                WEAK_FAULT_ALLOWED,
                 WATCH,
             ),
             case(
                 "stuck",
-                "a leg keeps an old command",
+                "a calf motor reports a constant value",
+                lambda: _wrong_torque(inject.stuck()),
+                WEAK_FAULT_ALLOWED,
+                WATCH,
+            ),
+            case(
+                "garbage",
+                "a calf motor reports random values",
+                lambda: _wrong_torque(inject.garbage(10)),
+                WEAK_FAULT_ALLOWED,
+                WATCH,
+            ),
+            case(
+                "wrong",
+                "a calf motor gives 60 % of its torque",
+                lambda: motor.WeakMotor(CALF, share=0.6),
+                WEAK_FAULT_ALLOWED,
+                WATCH,
+            ),
+            case(
+                "stuck",
+                "the motors of a leg keep an old command",
                 lambda: motor.UnresponsiveMotors([3, 4, 5]),
-                WEAK,
+                WEAK_FAULT_ALLOWED,
                 None,
             ),
             case(
                 "delayed",
-                "all by 20 ms",
+                "all late by 20 ms",
                 lambda: SignalFault("tauEst", inject.delayed(10)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
-                "all 0 in 1 sample of 10",
-                lambda: SignalFault("tauEst", intermittent(inject.off, 10)),
+                "all report 0 in 1 sample of 10",
+                lambda: SignalFault("tauEst", intermittent(inject.off, every=10)),
                 WATCH,
                 WATCH,
             ),
@@ -86,33 +99,48 @@ ROWS = (
     ),
     Row(
         "motor_dead",
-        "a motor is off",
+        "a motor switches itself off",
         (
-            _dead("off", "a knee is free, mode 8", KNEE, 8),
-            _dead("wrong", "a thigh brakes, mode 0", THIGH, 0),
+            _dead_motor("off", "a calf motor turns freely, mode 8", CALF, mode=8),
+            _dead_motor("wrong", "a thigh motor brakes, mode 0", THIGH, mode=0),
             case(
-                "intermittent", "a knee, for 2 ms", lambda: motor.DeadMotor(KNEE, 8, 1), WATCH, None
+                "intermittent",
+                "a calf motor, for 2 ms",
+                lambda: motor.DeadMotor(CALF, mode=8, periods=1),
+                WATCH,
+                None,
             ),
         ),
     ),
     Row(
         "over_temperature",
-        "a motor is hot",
+        "a thigh motor reports a wrong or high temperature",
         (
-            case("wrong", "65 C", lambda: _heat(inject.constant(65)), WATCH),
-            case("wrong", "90 C", lambda: _heat(inject.constant(90)), HOT),
+            case("wrong", "65 deg C", lambda: _wrong_temperature(inject.constant(65)), WATCH),
+            case(
+                "wrong",
+                "90 deg C",
+                lambda: _wrong_temperature(inject.constant(90)),
+                TEMPERATURE_FAULT,
+            ),
             case(
                 "slow",
-                "5 C more every second",
-                lambda: _heat(inject.ramp(40, 5.0)),
-                table_expectation("temperature", 8.0),
+                "from 40 deg C, 5 deg C more every second",
+                lambda: _wrong_temperature(inject.ramp(40, per_second=5.0)),
+                table_expectation("temperature", delay=8.0),
                 None,
             ),
-            case("garbage", "random values", lambda: _heat(inject.garbage(127, True)), WATCH, None),
+            case(
+                "garbage",
+                "random values",
+                lambda: _wrong_temperature(inject.garbage(127, whole=True)),
+                WATCH,
+                None,
+            ),
             case(
                 "intermittent",
-                "120 C in 1 sample of 25",
-                lambda: _heat(intermittent(inject.constant(120), 25)),
+                "120 deg C in 1 sample of 25",
+                lambda: _wrong_temperature(intermittent(inject.constant(120), every=25)),
                 WATCH,
                 None,
             ),

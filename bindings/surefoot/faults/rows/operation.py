@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from surefoot.faults.case import STANDING_MODES, Row, case
+from surefoot.faults.case import STANDING_MODES, Case, Row, case
 from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
 from surefoot.faults.kinds import operator_faults as operator
 from surefoot.faults.kinds.clock_faults import OperatorAction
@@ -12,61 +12,64 @@ from surefoot.faults.kinds.invalid_config import InvalidConfig
 from surefoot.faults.kinds.world_faults import CorruptQp
 
 NAN = math.nan
-STOP, BUTTON = table_expectation("stop"), table_expectation("button")
-NO_SOLUTION, COMMAND_HELD = table_expectation("controller"), table_expectation("program")
+STOP_FAULT, BUTTON_FAULT = table_expectation("stop"), table_expectation("button")
+CONTROLLER_FAULT = table_expectation("controller")
+# The fault "program": the QP was not solved at the first attempt, and a fallback gives the command.
+QP_NOT_SOLVED = table_expectation("program")
 HEARTBEAT_TIMEOUT = 0.5  # [s] SupervisorOptions.operator_timeout. Chosen: short, to save run time
 
-# 1e8 m/s^2 with weight 1e4 was found by trial: with these finite values, rounding errors exceed the
-# tolerance of the QP solution on every robot.
+# CorruptQp adds a task to the QP; its first argument is the desired acceleration [m/s^2]. The value
+# 1e8 with weight 1e4 was found by trial: it is finite, but on every robot the rounding errors of
+# the QP solution exceed the tolerance.
 ROWS = (
     Row(
         "nan_in_command",
-        "the QP data is not finite or too large",
+        "the QP data is infinite, NaN or too large",
         (
             case(
                 "garbage",
                 "NaN in every tick",
                 lambda: CorruptQp(NAN),
-                NO_SOLUTION,
+                CONTROLLER_FAULT,
                 modes=STANDING_MODES,
             ),
             case(
                 "wrong",
                 "infinite in every tick",
                 lambda: CorruptQp(math.inf),
-                NO_SOLUTION,
+                CONTROLLER_FAULT,
                 modes=STANDING_MODES,
             ),
             case(
                 "intermittent",
                 "NaN in 1 tick of 25",
-                lambda: CorruptQp(NAN, 25),
-                COMMAND_HELD,
+                lambda: CorruptQp(NAN, every=25),
+                QP_NOT_SOLVED,
                 modes=STANDING_MODES,
             ),
             case(
                 "intermittent",
-                "NaN for 10 ms of every 100",
-                lambda: CorruptQp(NAN, 50, 5),
-                COMMAND_HELD,
+                "NaN for 10 ms of every 100 ms",
+                lambda: CorruptQp(NAN, every=50, burst=5),
+                QP_NOT_SOLVED,
                 modes=STANDING_MODES,
             ),
             case(
                 "slow",
-                "too large for the tolerance in 1 tick of 25",
-                lambda: CorruptQp(1e8, 25, weight=1e4),
-                COMMAND_HELD,
+                "in 1 tick of 25 the data is so large that the solution misses the tolerance",
+                lambda: CorruptQp(1e8, every=25, weight=1e4),
+                QP_NOT_SOLVED,
                 modes=STANDING_MODES,
             ),
         ),
     ),
     Row(
         "command_jump",
-        "the body reference jumps",
+        "the body reference jumps or contains NaN",
         (
             case(
                 "wrong",
-                "20 cm down at once",
+                "20 cm down in one tick",
                 lambda: OperatorAction(operator.lower_by_20_cm),
                 WATCH,
                 modes=STANDING_MODES,
@@ -87,7 +90,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "two poses in turns of 100 ms",
+                "two poses alternate every 100 ms",
                 lambda: OperatorAction(operator.alternating_pose),
                 WATCH,
                 modes=STANDING_MODES,
@@ -96,13 +99,13 @@ ROWS = (
     ),
     Row(
         "operator_link",
-        "the operator is gone",
+        "the operator's heartbeats end",
         (
             case(
                 "off",
-                "heartbeats end",
+                "no more heartbeats",
                 lambda: operator.HeartbeatLost(HEARTBEAT_TIMEOUT),
-                table_expectation("operator", HEARTBEAT_TIMEOUT),
+                table_expectation("operator", delay=HEARTBEAT_TIMEOUT),
                 expect_refusal(HEARTBEAT_TIMEOUT + 0.1),
             ),
         ),
@@ -111,22 +114,28 @@ ROWS = (
         "emergency_stop",
         "the operator stops the robot",
         (
-            case("wrong", "stop()", lambda: OperatorAction(operator.stop), STOP, STOP),
+            case("wrong", "stop()", lambda: OperatorAction(operator.stop), STOP_FAULT, STOP_FAULT),
             case(
                 "intermittent",
                 "stop() in every tick",
                 lambda: OperatorAction(lambda s, k: s.stop()),
-                STOP,
-                STOP,
+                STOP_FAULT,
+                STOP_FAULT,
             ),
             case(
                 "stuck",
                 "stop() from another thread",
                 lambda: OperatorAction(operator.stop_from_a_thread),
-                STOP,
-                STOP,
+                STOP_FAULT,
+                STOP_FAULT,
             ),
-            case("stuck", "the remote's button B", operator.RemoteStopPressed, BUTTON, BUTTON),
+            case(
+                "stuck",
+                "button B of the remote",
+                operator.RemoteStopPressed,
+                BUTTON_FAULT,
+                BUTTON_FAULT,
+            ),
         ),
     ),
     Row(
@@ -134,23 +143,24 @@ ROWS = (
         "requests that are not allowed",
         (
             case(
-                "wrong", "every mode that is not allowed", operator.OutOfOrderRequests, WATCH, WATCH
+                "wrong",
+                "in every tick, request all modes that may not follow the present one",
+                operator.OutOfOrderRequests,
+                WATCH,
+                WATCH,
             ),
-            case("garbage", "requests from four threads", operator.ConcurrentRequests, WATCH, None),
+            case(
+                "garbage",
+                "the same requests from four threads, in 1 tick of 50",
+                operator.ConcurrentRequests,
+                WATCH,
+                None,
+            ),
         ),
     ),
     Row(
         "config_error",
         "invalid options and gains",
-        (
-            case(
-                "garbage",
-                "NaN, negative, out of range",
-                InvalidConfig,
-                WATCH,
-                WATCH,
-                modes=("lying",),
-            ),
-        ),
+        (Case("garbage", "NaN, negative, out of range", InvalidConfig, {"lying": WATCH}),),
     ),
 )

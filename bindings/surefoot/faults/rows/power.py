@@ -10,10 +10,13 @@ from surefoot.faults.kinds.joint_faults import JointOutsideLimits, PowerOverload
 from surefoot.faults.kinds.signals import SignalFault
 
 intermittent = inject.intermittent
-LOW = table_expectation("battery")
+FL_HIP = 3  # motor FL_0
+BATTERY_FAULT = table_expectation("battery")
 
 # PowerProtect trips when the samples above its level outnumber the samples below it by six, so 2
-# samples of 10 must not trip it. battery_low is 10 %; the ramp from 20 % reaches it in 1 s.
+# samples of 10 must not trip it. The option battery_low is 10 %; the ramp from 20 % reaches it in
+# 1 s. An angle that is suddenly outside its limits is also a jump. So `position_trip`, for a hip,
+# expects the fault "joint_jump", like `joint_limit` in joints.py, for a calf.
 ROWS = (
     Row(
         "power_trip",
@@ -29,7 +32,7 @@ ROWS = (
             case(
                 "intermittent",
                 "2 samples of 10 show 3 times the level",
-                lambda: PowerOverload(3.0, 10, 2),
+                lambda: PowerOverload(3.0, every=10, length=2),
                 WATCH,
                 None,
             ),
@@ -37,38 +40,38 @@ ROWS = (
     ),
     Row(
         "position_trip",
-        "a joint is outside its limits",
+        "a hip joint reports an angle beyond its limit",
         (
             case(
                 "wrong",
-                "a hip reports 0.2 rad outside",
-                lambda: JointOutsideLimits(0.2, 3, False),
+                "0.2 rad above the upper limit",
+                lambda: JointOutsideLimits(0.2, FL_HIP, below=False),
                 table_expectation("joint_jump"),
             ),
         ),
     ),
     Row(
         "battery",
-        "the battery is empty or missing",
+        "the battery's charge is low or reported as 0",
         (
             case(
                 "wrong",
                 "charge 3 %",
                 lambda: SignalFault("SOC", inject.constant(3)),
-                LOW,
-                expect_refusal(LOW.within),
+                BATTERY_FAULT,
+                expect_refusal(BATTERY_FAULT.within),
             ),
             case(
                 "slow",
                 "charge falls from 20 % by 10 % a second",
-                lambda: SignalFault("SOC", inject.ramp(20, -10.0)),
-                table_expectation("battery", 1.0),
+                lambda: SignalFault("SOC", inject.ramp(20, per_second=-10.0)),
+                table_expectation("battery", delay=1.0),
                 None,
             ),
             case(
                 "intermittent",
-                "0 % in 1 sample of 10",
-                lambda: SignalFault("SOC", intermittent(inject.off, 10)),
+                "charge 0 % in 1 sample of 10",
+                lambda: SignalFault("SOC", intermittent(inject.off, every=10)),
                 WATCH,
                 WATCH,
             ),
@@ -80,15 +83,15 @@ ROWS = (
         (
             case(
                 "stuck",
-                "every command",
-                lambda: motor.SecondController(),
+                "in every period",
+                motor.SecondController,
                 table_expectation("overridden"),
                 None,
             ),
             case(
                 "intermittent",
-                "every second command",
-                lambda: motor.SecondController(2),
+                "in 1 period of 2",
+                lambda: motor.SecondController(every=2),
                 table_expectation("overridden"),
                 None,
             ),

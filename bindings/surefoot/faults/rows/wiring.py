@@ -2,76 +2,59 @@
 
 from __future__ import annotations
 
-from surefoot.faults.case import Row, case
-from surefoot.faults.expectation import WATCH, expect_refusal, expect_stay_down, watch_unless
+from surefoot.faults.case import Case, Row, case
+from surefoot.faults.expectation import expect_refusal, expect_stay_down, watch_unless
 from surefoot.faults.kinds import initial_faults as setup
 
-KNEE, HIP = 5, 3  # FL_2, FL_0
-LYING, RISING = ("lying",), ("rising",)
-WRONG_ORDER, WRONG_ROBOT = expect_stay_down("wiring"), expect_stay_down("wrong_robot")
-# [s] Longer than arming_time (1 s), after which a healthy robot could be armed.
-ARMING_REFUSAL = expect_refusal(1.5)
+FL_CALF, FL_HIP = 5, 3  # motors FL_2, FL_0
+STAYS_DOWN_FOR_WIRING = expect_stay_down("wiring")
+STAYS_DOWN_FOR_ROBOT = expect_stay_down("wrong_robot")
+# [s] Time limit of the refusal: requests to rise begin after this time. Longer than arming_time
+# (1 s), before which even a healthy robot is refused.
+REFUSAL_AFTER_ARMING_TIME = expect_refusal(1.5)
 
 ROWS = (
     Row(
         "motor_order",
         "motors are wired in another order, or turn the other way",
         (
-            case(
+            Case(
                 "wrong",
-                "thigh and knee of FR are swapped",
+                "thigh and calf motors of FR are swapped",
                 lambda: setup.WrongWiring({1: 2, 2: 1}),
-                WATCH,
-                ARMING_REFUSAL,
-                None,
-                LYING,
-                "FR_1 and FR_2",
+                {"lying": REFUSAL_AFTER_ARMING_TIME},
+                refusal_text="FR_1 and FR_2",
             ),
-            case(
+            Case(
                 "wrong",
                 "front legs are swapped",
                 lambda: setup.WrongWiring(setup.swapped_legs(0, 1)),
-                WATCH,
-                WRONG_ORDER,
-                None,
-                LYING,
+                {"lying": STAYS_DOWN_FOR_WIRING},
             ),
-            case(
+            Case(
                 "wrong",
                 "right legs are swapped",
                 lambda: setup.WrongWiring(setup.swapped_legs(0, 2)),
-                WATCH,
-                WRONG_ORDER,
-                None,
-                LYING,
+                {"lying": STAYS_DOWN_FOR_WIRING},
             ),
-            case(
+            Case(
                 "wrong",
-                "front legs are swapped with rear ones",
+                "front legs are swapped with rear legs",
                 lambda: setup.WrongWiring({**setup.swapped_legs(0, 2), **setup.swapped_legs(1, 3)}),
-                WATCH,
-                WRONG_ORDER,
-                None,
-                LYING,
+                {"lying": STAYS_DOWN_FOR_WIRING},
             ),
-            case(
+            Case(
                 "wrong",
-                "FL's knee turns the other way",
-                lambda: setup.WrongWiring({}, (KNEE,)),
-                WATCH,
-                ARMING_REFUSAL,
-                None,
-                LYING,
-                "FL_2",
+                "FL's calf motor turns the other way",
+                lambda: setup.WrongWiring({}, reversed_motors=(FL_CALF,)),
+                {"lying": REFUSAL_AFTER_ARMING_TIME},
+                refusal_text="FL_2",
             ),
-            case(
+            Case(
                 "wrong",
-                "FL's hip turns the other way",
-                lambda: setup.WrongWiring({}, (HIP,)),
-                WATCH,
-                WRONG_ORDER,
-                None,
-                LYING,
+                "FL's hip motor turns the other way",
+                lambda: setup.WrongWiring({}, reversed_motors=(FL_HIP,)),
+                {"lying": STAYS_DOWN_FOR_WIRING},
             ),
         ),
     ),
@@ -84,17 +67,13 @@ ROWS = (
                 "the most similar robot",
                 lambda: setup.WrongRobot(setup.SIMILAR_ROBOT),
                 watch_unless("wrong_robot"),
-                None,
-                modes=RISING,
+                modes=("rising",),
             ),
-            case(
+            Case(
                 "wrong",
                 "a robot of another size",
                 lambda: setup.WrongRobot(setup.DIFFERENT_ROBOT),
-                WATCH,
-                WRONG_ROBOT,
-                None,
-                LYING,
+                {"lying": STAYS_DOWN_FOR_ROBOT},
             ),
         ),
     ),

@@ -19,13 +19,14 @@ from surefoot.sim.settings import PlantSettings
 PLATFORM, BLOCK, GROUND_JOINT = "surefoot_platform", "surefoot_block", "surefoot_ground"
 # Chosen by hand; tests: test_plant_moving_ground.py.
 PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform: room for a robot that falls
-# [m] Half sides of the block. Smaller: a foot (radius 4 cm at most) that slides leaves the block.
-# Larger: other feet touch the block.
+# [m] Half sides of the block. If smaller: a foot (radius 4 cm at most) that slides leaves the
+# block. If larger: other feet touch the block.
 BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)
 # [m] Initial height of the block's top above the ground, so that the foot touches only the block.
 BLOCK_PROTRUSION = 0.001
 # [kg] of the block, [kg.m^2] of the platform: their inertia. The weight of a b1 (550 N) changes the
-# velocity by 1e-6 m/s in a control period. Larger: the solver loses precision (physics/hanging.py).
+# velocity by 1e-6 m/s in a control period. If larger: the solver loses precision
+# (physics/hanging.py).
 GROUND_INERTIA = 1e6
 
 

@@ -24,8 +24,9 @@ _RUN_TIME, _END_WINDOW, _START_WINDOW = (
     0.4,
     0.2,
 )  # [s] shortest duration of a run, and of the compared windows at its end and its beginning
-# Chosen. Below: noise and friction of a loop at rest; above: a slow oscillation.
-_DECAY_RATIO = 0.05  # largest ratio of last to first peak acceleration that counts as decayed
+# Largest ratio of last to first peak acceleration that counts as decayed. Chosen. Larger than the
+# noise and friction of a loop at rest. If larger: a slow oscillation counts as decayed.
+_DECAY_RATIO = 0.05
 # Numerical: rounding of the eigenvalues of an integrator, whose radius is 1.
 _STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable
 

@@ -15,8 +15,9 @@ from surefoot.tune.design.ranges import check_range
 
 # Factor on the joint friction. Chosen: from none to far above a worn gear.
 FRICTION_SCALE_RANGE = (0.0, 10.0)
-# Chosen. Below: joint friction hides the motion; above: torques saturate.
-_PUSH_SHARE = 0.5  # impulse of the push as a share of the LIP push limit
+# Impulse of the push as a share of the LIP push limit. Chosen. If smaller: joint friction hides the
+# motion. If larger: torques saturate.
+_PUSH_SHARE = 0.5
 
 
 def compute_standing_body(

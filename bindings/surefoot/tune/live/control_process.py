@@ -62,12 +62,11 @@ class RunnerStatus:
 
     Attributes:
         phase: Phase of the RunSnapshot; "standing" in normal operation.
-        reason: Reason of the damping. Before the first LowState: why the last datagram was
-            rejected.
+        reason: Why the robot damps. Before the first LowState: why the last datagram was rejected.
         q: Estimated q, (nq,), Pinocchio's order; None before the first LowState.
         forces: Contact forces of the QP, (3, 4), world axes [N].
         contact: (4,) true for each foot with a contact confidence above 0.5.
-        sample: Metrics of the last tick.
+        sample: Metrics of the last tick; their tick_us is the median of the tick times.
         refused: Number of re-arms that were refused because no LowState arrived or an arming check
             failed.
     """
@@ -86,8 +85,14 @@ def run_control_process(
 ) -> None:
     """Control the robot until the message "stop" or until the pipe closes; then damp and end.
 
-    The first message to the page is "" or an error text. RunnerStatus messages follow while the
-    page reads them.
+    The first message to the page is "" if the runner was made, otherwise an error text. Then
+    RunnerStatus messages follow; they are dropped while the page does not read.
+
+    Args:
+        pipe: Connection to the page.
+        description: The robot's files.
+        address: Address of the robot.
+        values: Initial gains by name.
     """
     # Ignore the terminal's signals: the page handles them and sends "stop". SIGTERM stops this
     # process.
@@ -174,7 +179,10 @@ def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
 
 
 def _send_status(pipe: Connection, report: RunnerStatus) -> None:
-    """Send a status if the pipe accepts it at once; otherwise a hanging page would block us."""
+    """Send a status only if the pipe accepts it at once.
+
+    A page that hangs would otherwise block this process.
+    """
     if not select.select([], [pipe.fileno()], [], 0.0)[1]:
         return
     try:

@@ -27,9 +27,9 @@ class GainEditor:
 
     Attributes:
         robot_gains: The robot's own gains.
-        version: Number of changes so far.
-        revision: Number of refused changes and of changes without a slider (undo, file, A or B).
-            When it grows, the sliders must be updated.
+        version: Number of changes of the gains. When it grows, the controller needs the new gains.
+        revision: Number of events after which the sliders must be updated: refused changes, and
+            changes without a slider (undo, file, A or B).
         slots: Stored gains, by "A" and "B".
     """
 
@@ -59,7 +59,7 @@ class GainEditor:
         return get_gain(self._gains, name)
 
     def set(self, name: str, value: float) -> None:
-        """Set one gain; undo() undoes quick successive changes of a gain together.
+        """Set one gain. undo() undoes changes of one gain together if they follow within 1 s.
 
         Raises:
             Error: The gain is unknown, or its value is not permitted.

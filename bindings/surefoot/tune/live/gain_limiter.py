@@ -6,7 +6,8 @@ import math
 
 from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
 
-# Chosen: WARN_GAIN_MARGIN of tune design; margins are above it up to 12 ms of additional delay.
+# Chosen: equal to WARN_GAIN_MARGIN of tune design. The robots' gain margins exceed this factor with
+# up to 12 ms of additional delay.
 RANGE_FACTOR = 2.0  # a gain ranges from the robot's own value / factor to own value * factor
 # Chosen: slower than the robot settles, so that a person sees the effect and can stop.
 LOG_RATE = math.log(2.0)  # [1/s] rate of a gain's logarithm: doubling a gain takes 1 s

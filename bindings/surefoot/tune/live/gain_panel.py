@@ -8,7 +8,7 @@ from typing import Any
 import viser
 
 from surefoot.tune.live.gain_editor import SLOTS, GainEditor, differences
-from surefoot.tune.live.gain_file_folder import GainFolder
+from surefoot.tune.live.gain_file_directory import GainFolder
 from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.gain_sliders import GainSliders
 from surefoot.tune.live.notifier import Notifier
@@ -83,7 +83,7 @@ class GainPanel:
             )
 
     def _add_files(self) -> None:
-        name = self._gui.add_text("file", "gains.toml", hint="in the folder --folder")
+        name = self._gui.add_text("file", "gains.toml", hint="in the folder given with --folder")
         buttons = self._gui.add_button_group("", (_SAVE, _LOAD))
 
         @buttons.on_click

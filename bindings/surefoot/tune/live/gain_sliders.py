@@ -23,7 +23,7 @@ class GainSliders:
         gui: GUI that gets the sliders.
         editor: Editor of the gains.
         post: Function that runs an action in the thread that owns the editor.
-        gain_limiter: Ranges of the sliders. None: the user chooses a zoom, which sets the ranges.
+        gain_limiter: Ranges of the sliders. None: the user chooses the ranges ("slider reach").
     """
 
     def __init__(

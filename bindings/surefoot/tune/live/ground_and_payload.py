@@ -18,7 +18,7 @@ class GroundAndPayload:
     Args:
         server: The server.
         base: Name of the scene node of the trunk, which carries the payload.
-        size: Size of the robot [m].
+        size: Length scale of the drawing [m] (see Scene).
     """
 
     def __init__(self, server: viser.ViserServer, base: str, size: float) -> None:

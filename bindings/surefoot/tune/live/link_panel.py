@@ -1,4 +1,4 @@
-"""Controls of a robot on UDP: damp and re-arm."""
+"""Damp and Re-arm buttons of a robot on UDP."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from surefoot.tune.live.udp_session import UdpSession
 def add_link_panel(
     gui: viser.GuiApi, robot: UdpSession, reset_reference: Callable[[], Any]
 ) -> None:
-    """Add the controls. The controls act in the GUI's thread, without the session's thread.
+    """Add the controls.
+
+    They call the robot directly from the GUI's thread, so Damp does not wait for the session's
+    thread.
 
     Args:
         gui: GUI that gets the controls.

@@ -1,4 +1,4 @@
-"""Data of the plots: maxima of the metrics over the last seconds."""
+"""Data of the plots: the maximum of each metric in each 40 ms of the last 10 s."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ BUCKET_TIME = 0.04  # [s] time that one plotted point covers
 
 
 class TickMetrics(NamedTuple):
-    """Metrics of one control period.
+    """Metrics of one tick.
 
     Attributes:
         position_error: Distance of the estimated base from its reference position [mm].
         angle_error: Angle of the estimated base from its reference orientation [deg].
         torque_ratio: Greatest |torque| / torque limit of the motors.
         power: Sum of |torque * velocity| of the command [W].
-        tick_us: Time from LowState to LowCmd [us].
+        tick_us: Time from LowState to LowCmd [us]. Simulation: CPU time of update(). Robot on UDP:
+            median of the tick times.
     """
 
     position_error: float
@@ -33,7 +34,7 @@ class TickMetrics(NamedTuple):
 
 
 class Curves:
-    """Maxima of each metric over intervals of 40 ms in the last 10 s; no peak is lost."""
+    """Maximum of each metric in each interval of 40 ms in the last 10 s; no peak is lost."""
 
     def __init__(self) -> None:
         self._rows: deque[tuple[float, ...]] = deque(maxlen=round(HISTORY_TIME / BUCKET_TIME))

@@ -9,7 +9,7 @@ from surefoot.tune.live.push_score import SCORE_TIME
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.world import World
 
-# Chosen: above STILL_TIME of the cost and the time in which the estimator starts, 0.15 s.
+# Chosen: longer than STILL_TIME of the cost (0.4 s) and than the start of the estimator (0.15 s).
 _STAND_TIME = 1.0  # [s] duration of standing before the push
 
 
@@ -22,7 +22,7 @@ def push_cost(
         description: The robot's files.
         world: World of the simulation.
         gains: Gains of the controller.
-        degrees: Direction of the push, from forward towards left [deg].
+        degrees: Direction of the push [deg]; 0: forward, 90: to the left.
         percent: Impulse in percent of the LIP push limit.
 
     Raises:

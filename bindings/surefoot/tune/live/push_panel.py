@@ -1,4 +1,4 @@
-"""Panel that pushes the shown robot, or compares the costs of a push with the gains A and B."""
+"""Panel that pushes the shown robot, or compares the costs of one push for the gains A and B."""
 
 from __future__ import annotations
 
@@ -36,29 +36,29 @@ class PushPanel:
     ) -> None:
         self._simulation, self._post, self._notifier = simulation, post, notifier
         self._impulse, self._comparison = "", ""
-        hint = "from forward towards left"
+        hint = "0: forward, 90: to the left"
         self._direction = gui.add_slider(
             "direction [deg]", -180.0, 180.0, 5.0, 90.0, marks=_DIRECTION_MARKS, hint=hint
         )
-        hint = "impulse in percent of the LIP push limit with the present feet"
+        hint = "impulse in percent of the LIP push limit, computed for the present foot positions"
         self._strength = gui.add_slider("strength [%]", 0.0, 150.0, 5.0, 50.0, hint=hint)
         push = gui.add_button("Push", color="red", icon=viser.Icon.HAND_STOP)
         push.on_click(lambda _: post(self._push))
         compare = gui.add_button(
-            "Compare A and B", hint="this push with A and with B, each in a new simulation"
+            "Compare A and B",
+            hint="simulate this push twice, with the gains A and with the gains B",
         )
         compare.on_click(lambda _: self._compare())
         self._text = gui.add_markdown("")
 
     def refresh(self) -> None:
-        """Show the score of the last push."""
+        """Show the cost of the last push."""
         score, lines = self._simulation.score, [self._impulse]
         if score.seconds_left > 0.0:
-            lines.append(f"Score in {score.seconds_left:.0f} s.")
+            lines.append(f"The cost is ready in {score.seconds_left:.0f} s.")
         elif score.last_cost is not None:
             lines.append(
-                f"**Score {score.last_cost.value:.2f}** (lower is better): "
-                f"{_terms(score.last_cost)}"
+                f"**Cost {score.last_cost.value:.2f}** (lower is better): {_terms(score.last_cost)}"
             )
         text = "\n\n".join(line for line in (*lines, self._comparison) if line)
         if text != self._text.content:
@@ -91,7 +91,7 @@ class PushPanel:
 def comparison_text(costs: dict[str, Cost]) -> str:
     """Return the costs and their terms as a Markdown table, one column per set of gains."""
     names = next(iter(costs.values())).terms
-    rows = [("score", [cost.value for cost in costs.values()])]
+    rows = [("cost", [cost.value for cost in costs.values()])]
     rows += [(name, [cost.terms[name] for cost in costs.values()]) for name in names]
     lines = [f"| | {' | '.join(costs)} |", "|---" * (1 + len(costs)) + "|"]
     lines += [f"| {name} | {' | '.join(f'{v:.2f}' for v in values)} |" for name, values in rows]

@@ -1,4 +1,4 @@
-"""Score of the last push: the cost of the three seconds after it begins."""
+"""Recorder of the last push: its score is the cost of the three seconds after it begins."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from surefoot.tune.cost import Cost, cost
 from surefoot.tune.trace import Trace
 
 # Chosen: a push of 0.1 s is settled within about 1 s; a slow fall takes longer.
-SCORE_TIME = 3.0  # [s] duration of a score, from the begin of the push
+SCORE_TIME = 3.0  # [s] duration of a recording, from the begin of the push
 
 
 class PushScore:
-    """Recorder that computes the cost of the last push.
+    """Recorder that computes the cost (here also called score) of the last push.
 
     Args:
         plant: The plant that is pushed.
 
     Attributes:
-        last_cost: Cost of the last push with a complete score; None before the first such push.
+        last_cost: Cost of the last push with a complete recording. None: no recording is complete.
     """
 
     def __init__(self, plant: Plant) -> None:
@@ -28,11 +28,11 @@ class PushScore:
 
     @property
     def seconds_left(self) -> float:
-        """Time [s] until the running score is complete; 0: no score is running."""
+        """Time [s] until the present recording is complete; 0: nothing is being recorded."""
         return SCORE_TIME * self._ticks_left / self._ticks
 
     def begin(self) -> None:
-        """Start a new score; call when a push begins."""
+        """Start a new recording; call when a push begins."""
         self._trace.clear()
         self._ticks_left = self._ticks
 

@@ -25,7 +25,7 @@ def add_reference_panel(
     Returns:
         Function that zeroes the sliders.
     """
-    hint = "relative to the latched pose; limited by the gains reach_..."
+    hint = "relative to the latched pose; limited by the gains named reach_..."
     sliders: dict[str, Any] = {
         axis: gui.add_slider(f"{axis} [{unit}]", low, high, _STEPS[unit], 0.0, hint=hint)
         for axis, (unit, low, high) in REFERENCE_RANGES.items()

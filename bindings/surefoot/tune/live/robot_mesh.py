@@ -60,6 +60,7 @@ def _geom_mesh(model: mujoco.MjModel, geom: int) -> tuple[Array, Faces]:
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         mesh = int(model.geom_dataid[geom])
         first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+        # Index of the first triangle, and number of triangles:
         start, faces = int(model.mesh_faceadr[mesh]), int(model.mesh_facenum[mesh])
         vertices = np.array(model.mesh_vert[first : first + count], dtype=float)
         triangles = np.array(model.mesh_face[start : start + faces], dtype=np.int64)

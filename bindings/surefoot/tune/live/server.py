@@ -49,9 +49,9 @@ def close_server(server: viser.ViserServer) -> None:
 def _same_origin_only(host: str, port: int) -> Iterator[None]:
     """Restrict a server that opens inside this context to connections from its own page.
 
-    This applies only to loopback addresses. A browser lets every page open a WebSocket to this
-    machine, and viser accepts all connections. Without this check, another open web site could
-    change the gains of a robot.
+    The restriction applies only to loopback addresses. A browser lets every page open a WebSocket
+    to this machine, and viser accepts all connections. Without the restriction, another open web
+    site could change the gains of a robot.
     """
     module: Any = websockets.asyncio.server
     serve = module.serve
@@ -71,7 +71,7 @@ def _same_origin_only(host: str, port: int) -> Iterator[None]:
 
 
 def _check_address(host: str, port: int) -> int:
-    """Return the TCP port, or a free port if `port` is 0.
+    """Check the address, and return the TCP port to listen on: `port`, or a free port if it is 0.
 
     Raises:
         Error: The port is out of range, or the host is not an address of this machine.
@@ -82,7 +82,7 @@ def _check_address(host: str, port: int) -> int:
     if not host:
         raise Error("--bind: got '', expected an IPv4 address of this machine")
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
-        # Accept a port that another page has just closed, as the server does.
+        # As the server does, accept a port that another page has just closed.
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((host, port))

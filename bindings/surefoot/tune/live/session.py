@@ -11,7 +11,7 @@ from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.metric_curves import Curves
 from surefoot.tune.live.scene_state import SceneState
 
-# Chosen: motions that a person sees; the controller stops the body before limits of its reach.
+# Chosen: motions that a person sees; the controller stops the body at the limits of its reach.
 REFERENCE_RANGES = {
     "x": ("m", -0.08, 0.08),
     "y": ("m", -0.08, 0.08),
@@ -24,7 +24,10 @@ REFERENCE_RANGES = {
 
 
 class Session(Protocol):
-    """Standing robot whose gains can be edited. Only one thread at a time may use a session.
+    """Standing robot whose gains can be edited.
+
+    One thread owns a session. Only this thread calls methods, unless their docstrings permit any
+    thread.
 
     Attributes:
         description: The robot's files.
@@ -55,7 +58,11 @@ class Session(Protocol):
         ...
 
     def tick(self) -> None:
-        """Advance by one period."""
+        """Advance by one period.
+
+        In a simulation this is one control period. For a robot on UDP it reads the status messages
+        and moves the gains; the control process runs the controller.
+        """
         ...
 
     def update_view(self) -> None:

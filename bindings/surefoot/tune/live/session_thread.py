@@ -13,7 +13,7 @@ from surefoot.tune.live.session import Session
 
 # Chosen: four ticks at 500 Hz; short against FRAME_PERIOD of the page, 33 ms.
 _SLEEP_TIME = 0.008  # [s] time between two batches of ticks
-# Chosen: three frames; after a longer stall the simulation does not race.
+# Chosen: three frames of the page; a longer stall would make the simulation run fast to catch up.
 _MAX_LAG = 0.1  # [s] longest lag behind the clock that is caught up; the rest is dropped
 _RATE_WINDOW = 1.0  # [s] time over which real_time_factor is measured
 _REPEAT_TIME = 5.0  # [s] shortest time between two notifications of the same error
@@ -24,7 +24,8 @@ Action = Callable[[], Any]
 class SessionThread(threading.Thread):
     """Thread that owns a session: it ticks the session and runs actions between ticks.
 
-    Other threads must not call the session; they call post() instead.
+    Other threads call post() instead of the session's methods, except for methods whose docstrings
+    permit any thread.
 
     Args:
         session: Session to tick.
@@ -46,7 +47,10 @@ class SessionThread(threading.Thread):
         self.paused, self.speed, self.real_time_factor = False, 1.0, 1.0
 
     def post(self, action: Action) -> None:
-        """Run an action between two ticks; callable from any thread."""
+        """Queue an action, which this thread runs between two ticks.
+
+        Callable from any thread; returns at once.
+        """
         self._actions.put(action)
 
     def step(self, ticks: int = 1) -> None:

@@ -34,7 +34,7 @@ class Simulation:
         world: The present world.
         requested_world: World that apply_requested_world() will use; any thread may set it.
         controller: The controller; read-only for callers.
-        score: Score of the last push.
+        score: Recorder of the last push and its cost.
         plant: The plant; read-only for callers.
         ticks: Number of control periods since construction; a reset does not clear it.
 
@@ -115,7 +115,7 @@ class Simulation:
         """Push the robot now, through its centre of mass, for 0.1 s.
 
         Args:
-            degrees: Direction of the push, from forward towards left [deg].
+            degrees: Direction of the push [deg]; 0: forward, 90: to the left.
             percent: Impulse in percent of the LIP push limit in that direction.
 
         Returns:

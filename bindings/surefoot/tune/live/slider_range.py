@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from surefoot._core import GainInfo
 
 ZOOMS = {"x 2": 2.0, "x 4": 4.0, "x 10": 10.0, "x 100": 100.0}
-"""Upper ends of sliders as multiples of the robot's own value, by their label on the page."""
-# Chosen for the page: a slider that a hand can set.
-_ZERO_GAIN_REACH = 0.25  # upper end / zoom, for a gain whose own value is zero
+"""Upper end of a slider as a multiple of the robot's own value, by its label on the page. A larger
+"zoom" is a larger range; the page calls it "slider reach"."""
+# Chosen for the page: a person can set such a slider with the mouse.
+_ZERO_GAIN_REACH = 0.25  # used in place of the robot's own value if that is zero
 _MIN_STEPS = 100  # smallest number of steps of a slider
 
 
@@ -27,8 +28,8 @@ class SliderRange:
 def slider_range(info: GainInfo, own: float, value: float, zoom: float) -> SliderRange:
     """Return a slider range from the gain's minimum to a multiple of the robot's own value.
 
-    The ranges in gain_table() span up to eight decades, too much for a slider. A larger zoom gives
-    a larger range. The number box of the slider accepts exact values.
+    The ranges in gain_table() span up to eight decades, too much for a slider. A larger `zoom`
+    gives a larger range. The number box of the slider accepts exact values.
 
     Args:
         info: The gain.

@@ -1,4 +1,4 @@
-"""Support polygon and projected centre of mass in the 3D scene."""
+"""Polygon of the loaded feet and projected centre of mass in the 3D scene."""
 
 from __future__ import annotations
 
@@ -15,11 +15,13 @@ _MIN_DISPLACEMENT = 5e-4  # [m] smallest displacement of a corner that is redraw
 
 
 class SupportPolygon:
-    """Drawing of the polygon of loaded feet, and of a dot below the centre of mass.
+    """Drawing of the polygon of the loaded feet, and of a dot below the centre of mass.
+
+    The controller's class of this name contains the stance feet, loaded or not.
 
     Args:
         server: The server.
-        size: Size of the robot [m].
+        size: Length scale of the drawing [m] (see Scene).
     """
 
     def __init__(self, server: viser.ViserServer, size: float) -> None:

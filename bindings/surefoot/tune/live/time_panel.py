@@ -13,12 +13,12 @@ SPEEDS = {"x 1": 1.0, "x 1/2": 0.5, "x 1/5": 0.2, "x 1/20": 0.05, "x 2": 2.0}
 
 
 def add_time_panel(gui: viser.GuiApi, loop: SessionThread, simulation: Simulation) -> None:
-    """Add the controls.
+    """Add the controls of time.
 
     Args:
         gui: GUI that gets the controls.
         loop: Thread that ticks the simulation.
-        simulation: Simulation that Reset restarts.
+        simulation: Simulation; the Reset button restarts it.
     """
     hint = "Step: one control period of 2 ms"
     buttons = gui.add_button_group("time", ("Run", "Pause", "Step", "Reset"), hint=hint)

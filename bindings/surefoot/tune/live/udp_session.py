@@ -34,7 +34,7 @@ _START_TIMEOUT, _EXIT_TIMEOUT = 30.0, 5.0  # [s] longest time for start and end 
 
 
 class UdpSession:
-    """Session on a robot with the SDK's UDP frames; a GainLimiter limits the gains.
+    """Session on a robot that receives the SDK's UDP frames; a GainLimiter limits the gains.
 
     Args:
         description: The robot's files.
@@ -65,6 +65,7 @@ class UdpSession:
         self.runner_status = RunnerStatus(
             "waiting", "", None, np.zeros((3, 4)), np.zeros(4, dtype=bool), _NO_METRICS
         )
+        # _refused: number of refused re-arms at the last rearm().
         self._time, self._refused = 0.0, 0
         self._send_lock = threading.Lock()
         self._data.qpos[self._handles.joint_q] = self.robot.config.q_standing
@@ -116,6 +117,7 @@ class UdpSession:
             data.qpos[:] = self._adapter.qpos_from_pinocchio(runner_status.q)
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_comPos(self._model, data)
+        # Offset from a contact point up to the centre of the foot.
         down = np.array([0.0, 0.0, self.robot.config.foot_radius])
         self.scene_state = SceneState(
             qpos=data.qpos.copy(),

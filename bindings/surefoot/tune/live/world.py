@@ -18,11 +18,12 @@ class World:
     Attributes:
         friction: Friction coefficient between foot and ground.
         payload_kg: Payload on the trunk, unknown to the controller [kg].
-        delay_ms: Delay of commands, added to the delay of the sensors [ms].
-        predicted_ms: Delay that the controller compensates by prediction [ms].
+        delay_ms: Extra delay of commands [ms]. Real sensors also delay commands and samples by one
+            control period each.
+        predicted_ms: Delay that the controller compensates by prediction (StandOptions.delay) [ms].
         sensors: "real" or "ideal".
-        foot_force: "robot" (the robot's TOML states which foot sensors work), "est", "raw" or
-            "dead" (none).
+        foot_force: "est" (footForceEst and footForce work), "raw" (only footForce), "dead" (both
+            zero) or "robot" ("est" or "dead", as the robot's TOML states).
         slope_deg: Slope of the ground, uphill forward [deg].
         seed: Seed of the errors of sensors and motors.
     """

@@ -29,13 +29,16 @@ def add_world_panel(
     friction = gui.add_slider("friction [1]", 0.1, 1.5, 0.05, world.friction, hint=hint)
     hint = "on the trunk, unknown to the controller"
     payload = gui.add_slider("payload [kg]", 0.0, float(round(1.5 * mass)), 0.5, 0.0, hint=hint)
-    hint = "delay of commands, beyond the 2 ms each way of the sensors"
+    hint = "extra delay of commands; real sensors already delay LowState and LowCmd by 2 ms each"
     delay = gui.add_slider("latency [ms]", 0.0, 20.0, 1.0, world.delay_ms, hint=hint)
     hint = "latency that the controller compensates by prediction"
-    predicted = gui.add_slider("predicted [ms]", 0.0, 20.0, 1.0, world.predicted_ms, hint=hint)
+    predicted = gui.add_slider("compensated [ms]", 0.0, 20.0, 1.0, world.predicted_ms, hint=hint)
     slope = gui.add_slider("slope [deg]", -15.0, 15.0, 1.0, 0.0, hint="uphill forward")
     sensors = gui.add_dropdown("sensors", _SENSORS, initial_value=world.sensors)
-    hint = "robot: as on the real robot; est: newtons and counts; raw: counts; dead: zeros"
+    hint = (
+        "robot: est or dead, as on the real robot; est: footForceEst in newtons and footForce in "
+        "counts; raw: footForce only; dead: both zero"
+    )
     foot_force = gui.add_dropdown(
         "foot force", _FOOT_FORCE, initial_value=world.foot_force, hint=hint
     )

@@ -12,10 +12,12 @@ from surefoot.sim.settings import COARSE_DT
 
 # Derived: FIRST_PUSH_TIME + PUSH_COUNT PUSH_INTERVAL, so that the last push is settled.
 EPISODE_TIME = 6.6  # [s] duration of an episode
-# Chosen. The first: after the start has settled; the interval: above the time to settle, about 1 s.
+# Chosen. The first push comes after the start has settled. The interval is longer than the time to
+# settle, about 1 s.
 FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s], [s], [pushes]
-# Chosen (docs/tuning-search.md). Below: pushes that all gains survive; above: falls of all gains.
-PUSH_LIMIT_SHARE = 0.35, 0.8  # range of the impulse as a share of the LIP push limit
+# Range of the impulse as a share of the LIP push limit. Chosen (docs/tuning-search.md). If smaller:
+# all gains survive the pushes. If larger: all gains fall.
+PUSH_LIMIT_SHARE = 0.35, 0.8
 # Chosen ranges of robots and grounds (docs/tuning-search.md); no measurement of real ones.
 MAX_PAYLOAD_SHARE = 0.2  # greatest payload as a share of the robot's mass
 FRICTION_RANGE = 0.5, 1.0  # range of the friction coefficient of the ground

@@ -25,8 +25,9 @@ from surefoot.tune.search.trial_journal import (
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool, open_worker_pool
 
-# Chosen. Below: trials that one unlucky episode spoils; above: time for trials that cannot win.
-STOP_COST_RATIO = 3.0  # ratio of a trial's cost to the best cost above which the trial stops
+# Ratio of a trial's cost to the best cost above which the trial stops. Chosen. If smaller: one
+# unlucky episode spoils a trial. If larger: time is lost on trials that cannot win.
+STOP_COST_RATIO = 3.0
 
 Progress = Callable[[int, int, float], None]
 """Function progress(done, total, best): finished trials, all trials, best cost so far."""

@@ -14,8 +14,9 @@ from surefoot.tune.search.settings import SearchSettings
 INITIAL_SIGMA = 0.25  # initial step size of CMA-ES as a share of the logarithmic range
 # Chosen: ten generations in the default of 200 trials.
 POPULATION_SIZE = 20  # population of NSGA-II
-# Chosen: fewer trials than this tell noise from importance badly.
-MIN_TRIALS = 20  # smallest number of trials for importance()
+# Smallest number of trials for importance(). Chosen. If smaller: the trials tell noise from
+# importance badly.
+MIN_TRIALS = 20
 
 
 def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:

@@ -10,8 +10,9 @@ from surefoot.tune.search.worker_pool import WorkerPool
 
 # Chosen: a process may die for other reasons (memory, kill); gains that kill it do so again.
 MAX_ATTEMPTS = 3  # number of attempts alone after which a trial counts as broken
-# Chosen: short against the time to start a worker; an idle scheduler is not loaded.
-POLL_PERIOD = 2.0  # [s] time between two checks whether workers exist
+# [s] Time between two checks whether workers exist. Chosen. If smaller: an idle scheduler is
+# loaded. Shorter than the time to start a worker.
+POLL_PERIOD = 2.0
 
 
 class TrialQueue:

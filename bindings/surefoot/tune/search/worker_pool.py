@@ -11,8 +11,9 @@ from surefoot._core import Error
 from surefoot.system.worker_processes import spawn_pool
 from surefoot.tune.search.rollout import Outcome, TrialJob, evaluate_exclusively
 
-# Chosen: a slow network answers in less; a wrong address must not hang the command.
-CLUSTER_TIMEOUT = 10.0  # [s] longest time to connect to the scheduler, and to disconnect
+# [s] Longest time to connect to the scheduler, and to disconnect. Chosen. Longer than the answer of
+# a slow network. If larger: a wrong address hangs the command.
+CLUSTER_TIMEOUT = 10.0
 
 
 class WorkerPool(Protocol):

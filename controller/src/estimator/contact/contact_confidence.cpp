@@ -10,24 +10,26 @@ namespace {
 
 // All values are chosen unless stated; see docs/estimation.md, Contact. Tests: test_contact.cpp,
 // benchmarks/estimation. Votes range from -1 (off the ground) to 1 (loaded).
-// Difference of two loads, as a share of the weight, below which their sources agree. Below: noise
-// and model errors of the torques; above: 0.25, the load of a foot.
+// Difference of two loads, as a share of the weight, below which their sources agree. Larger than
+// the noise and the model errors of the torques, smaller than 0.25, the load of a foot.
 constexpr double kMaxLoadDifference = 0.15;
 // [s] Duration of a contradiction after which footForceEst is excluded. Equal to kDetectionTime of
 // ForceSourceCheck.
 constexpr double kDetectionTime = 0.3;
 // Rate at which the contradiction time falls, relative to the rate at which it rises.
 constexpr double kRecoveryRate = 0.25;
-// [s] Time without a vote of any force source after which forces are unavailable. Below: pauses of
-// kDetectionTime; above: a foot whose sensors are dead stays out of contact.
+// [s] Time without a vote of any force source after which forces are unavailable. Longer than
+// pauses of kDetectionTime. If larger: a foot whose sensors are dead stays out of contact for
+// longer.
 constexpr double kNoForceTime = 0.5;
-// [m/s] Speed above which the motion of a foot votes against contact. Below: twice slip_speed
-// (0.15); above: the speed of a swing.
+// [m/s] Speed above which the motion of a foot votes against contact. Not smaller than twice
+// slip_speed (0.15), smaller than the speed of a swing.
 constexpr double kMovingSpeed = 0.3;
-// [m/s] Speed below which a foot is at rest: below slip_speed (0.15).
+// [m/s] Speed below which a foot is at rest. Smaller than slip_speed (0.15).
 constexpr double kRestSpeed = 0.1;
 // [m] Clearance above which the motion of a foot votes against contact; at twice this clearance the
-// vote is -1. Below: a loaded foot rises as much on soft ground; above: a lift is detected late.
+// vote is -1. If smaller: a loaded foot that rises on soft ground votes against contact. If larger:
+// a lift is detected late.
 constexpr double kClearanceThreshold = 0.006;
 // Size of the vote of a fast foot against contact: weak, because a loaded foot may slide.
 constexpr double kSlideVote = 0.33;

@@ -8,11 +8,13 @@
 namespace surefoot {
 
 namespace {
-// [s] Duration of a constant value above which it can be a fault. Chosen. Below: 0.022 s of a 50 Hz
-// sensor; above: a stuck source hides that a foot loses contact.
+// [s] Duration of a constant value above which it can be a fault. Chosen. Longer than 0.022 s, for
+// which a 50 Hz sensor repeats a value. If larger: a stuck source hides for longer that a foot
+// loses contact.
 constexpr double kStuckTime = 0.1;
 // Load change, as a share of the weight, above which a working sensor must change its value.
-// Chosen. Below: contact_force_on (0.07), noise of the torques; above: 0.25, the load of a foot.
+// Chosen. Larger than contact_force_on (0.07) and the noise of the torques, smaller than 0.25, the
+// load of a foot.
 constexpr double kMinLoadChange = 0.1;
 // [counts] Size of a value from which it counts as saturated. Derived: just below 32767, the range
 // of int16.

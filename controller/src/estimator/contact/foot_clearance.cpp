@@ -7,23 +7,23 @@ namespace surefoot {
 
 namespace {
 // All values are chosen. Test: test_contact.cpp.
-// [m/s] Speed below which a foot is at rest. Below: velocity noise of the joints; above: a foot
-// that is lifted.
+// [m/s] Speed below which a foot is at rest. Larger than the velocity noise of the joints, smaller
+// than the speed of a foot that is lifted.
 constexpr double kRestSpeed = 0.03;
 // Rate at which the rest time falls during motion, relative to the rate at which it rises at rest.
-// Below: 50 ms of motion must clear 1 s; above: one noisy sample must not.
+// If smaller: 50 ms of motion do not clear 1 s. If larger: one noisy sample clears it.
 constexpr double kRestTimeDecay = 20.0;
-// [s] Time without load after which a foot loses its stance height. Below: wrong samples
-// (contact_dwell, 10 ms); above: a step.
+// [s] Time without load after which a foot loses its stance height. Longer than wrong samples
+// (contact_dwell, 10 ms), shorter than a step.
 constexpr double kMinSwingTime = 0.03;
-// [s] Time for which three feet must be loaded before they form a plane. Below: bounces at
-// touchdown; above: delay of the vote.
+// [s] Time for which three feet must be loaded before they form a plane. If smaller: feet that
+// bounce at touchdown form a plane. If larger: the vote is delayed more.
 constexpr double kLandingTime = 0.05;
-// [s] Rest time after which the stance height follows the foot. Below: a foot that a person holds;
-// above: drift of the height.
+// [s] Rest time after which the stance height follows the foot. If smaller: the height follows a
+// foot that a person holds. If larger: drift of the height remains for longer.
 constexpr double kNewStanceTime = 1.0;
-// [s] Time constant with which the stance height then follows. Below: vibration; above:
-// kNewStanceTime.
+// [s] Time constant with which the stance height then follows. If smaller: the height follows
+// vibration. Shorter than kNewStanceTime.
 constexpr double kFollowTime = 0.2;
 // Contact confidence above which a foot counts as standing: more likely than not.
 constexpr double kStanceConfidence = 0.5;

@@ -8,17 +8,18 @@ namespace surefoot {
 
 namespace {
 // Fit of counts = offset + scale load. All values are chosen. Test: test_contact.cpp.
-// [s] Time constant of the low-pass, so that noise does not count as a load change. Below: single
-// samples; above: a step.
+// [s] Time constant of the low-pass, so that noise does not count as a load change. Longer than
+// single samples, shorter than a step.
 constexpr double kFilterTime = 0.02;
-// [s] Time constant of the offset. Below: load changes; above: drift of the counts within a minute.
+// [s] Time constant of the offset. Longer than load changes, shorter than a minute, within which
+// the counts drift.
 constexpr double kOffsetTime = 5.0;
 constexpr double kNoiseSamples = 500.0;  // number of samples in the noise average: 1 s at 500 Hz
-// [s] Time constant of the scale; only time with changing load counts. Below: noise of the fit;
-// above: drift.
+// [s] Time constant of the scale; only time with changing load counts. If smaller: the fit is
+// noisy. If larger: the scale follows drift too late.
 constexpr double kScaleTime = 2.0;
-// Load change, as a share of the weight, below which the scale is not updated. Below: noise of the
-// torques; above: contact_force_off, 0.06.
+// Load change, as a share of the weight, below which the scale is not updated. Larger than the
+// noise of the torques, smaller than contact_force_off, 0.06.
 constexpr double kMinLoadChange = 0.04;
 // [s] Time with changing load after which the fit is used: five times kFilterTime.
 constexpr double kMinFitTime = 0.1;

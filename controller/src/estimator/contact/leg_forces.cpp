@@ -6,11 +6,12 @@
 namespace surefoot {
 
 namespace {
-// [N] Force above which a result is ignored, because the leg is singular. Chosen: far above any
-// robot's weight.
+// [N] Force above which a result is ignored, because the leg is singular. Chosen. Far larger than
+// any robot's weight.
 constexpr double kMaxForce = 1e4;
-// [rad] Distance to a stop below which a joint may rest on this stop. Chosen. Below: the elastic
-// deflection of a stop; above: standing poses near a limit, where the force is then unknown.
+// [rad] Distance to a stop below which a joint may rest on this stop. Chosen. Larger than the
+// elastic deflection of a stop. If larger: standing poses near a limit are included, and the force
+// is then unknown.
 constexpr double kStopMargin = 0.03;
 }  // namespace
 

@@ -23,9 +23,9 @@ Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 /// look like contact force. Real-time: yes.
 class LegForces {
  public:
-  /// [s] Time constant of the momentum observer (De Luca, Mattone 2003). Chosen. Below: encoder
-  /// noise in the momentum; above: contact_dwell, 10 ms. surefoot/tune/design/loop_model.py repeats
-  /// it.
+  /// [s] Time constant of the momentum observer (De Luca, Mattone 2003). Chosen. If smaller:
+  /// encoder noise in the momentum passes. Shorter than contact_dwell, 10 ms.
+  /// surefoot/tune/design/loop_model.py repeats it.
   static constexpr double kFilterTime = 0.005;
 
   /// Process one tick.

@@ -8,17 +8,19 @@ namespace surefoot {
 
 namespace {
 // All values are chosen; see docs/estimation.md, Slip. Test: test_contact.cpp.
-// [s] Time constant of the low-pass of the velocities. Below: encoder noise; above: kDetectionTime.
+// [s] Time constant of the low-pass of the velocities. If smaller: encoder noise passes. Shorter
+// than kDetectionTime.
 constexpr double kFilterTime = 0.01;
-// [s] Time after touchdown in which a moving foot does not count as slipping. Below: contact_dwell,
-// 10 ms; above: the robot relies on the friction of a foot that slips.
+// [s] Time after touchdown in which a moving foot does not count as slipping. Longer than
+// contact_dwell, 10 ms. If larger: the robot relies for longer on the friction of a foot that
+// slips.
 constexpr double kSettlingTime = 0.03;
-// [s] Duration of slipping in which slip() rises from 0 to 1. Below: single samples; above: at
-// slip_speed a foot moves by 3 mm in this time.
+// [s] Duration of slipping in which slip() rises from 0 to 1. Longer than single samples. If
+// larger: a foot slips further; at slip_speed it moves by 3 mm in this time.
 constexpr double kDetectionTime = 0.02;
-// [s] Duration without slipping in which slip() falls from 1 to 0. Below: if the friction returns
-// within the same push, the foot slips again; above: the robot needs the friction for the next
-// push.
+// [s] Duration without slipping in which slip() falls from 1 to 0. If smaller: the friction returns
+// within the same push, and the foot slips again. If larger: the friction is missing when the robot
+// needs it for the next push.
 constexpr double kRecoveryTime = 0.5;
 // Contact confidence above which a foot counts as loaded: more likely than not.
 constexpr double kLoadedConfidence = 0.5;

@@ -5,7 +5,7 @@ namespace surefoot {
 
 namespace {
 // [s] Duration of a constant tauEst, while other fields change, above which its verdict is
-// kConstant. Chosen: equal to kStuckTime in contact_evidence.cpp.
+// kConstant. Chosen. Equal to kStuckTime in contact_evidence.cpp.
 constexpr double kStuckTime = 0.1;
 }  // namespace
 

@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-// [m/s] Speed of the centre of mass below which the robot is at rest. Chosen. Below: velocity noise
-// of a standing robot; above: the velocity after a push.
+// [m/s] Speed of the centre of mass below which the robot is at rest. Chosen. Larger than the
+// velocity noise of a standing robot, smaller than the velocity after a push.
 constexpr double kRestSpeed = 0.1;
 // [m] Lever that bounds the moment: largest moment = this lever times the largest force. Chosen: a
 // payload within 0.1 m of the centre of mass (docs/estimation.md, payload_max).

@@ -12,9 +12,10 @@ namespace {
 constexpr double kNoiseLevel = 3.0;
 // In units of push_dead_band: excess over kNoiseLevel at which the time constant is halved.
 constexpr double kFastLevel = 1.0;
-// In units of push_time: shortest time constant, 6 ms by default. Measured: at 4 ms the torques of
-// a b1 exceeded the supervisor's limit of torque rate (git e0f1814). Above: at 1 the time constant
-// is never shortened. At 500 Hz the estimate follows one wrong sample by a quarter.
+// In units of push_time: shortest time constant, 6 ms by default. If smaller: at 4 ms the torques
+// of a b1 exceeded the supervisor's limit of torque rate (measured, git e0f1814). If larger: at 1
+// the time constant is never shortened. At 500 Hz the estimate follows one wrong sample by a
+// quarter.
 constexpr double kMinTimeScale = 3.0 / 8.0;
 // [s] Longest total time of large innovations in which the time constant is shortened: long enough
 // for start and end of a push. Measured: without this bound, a body with an unknown delay of 16 ms

@@ -7,8 +7,8 @@
 namespace surefoot {
 
 namespace {
-// [s] Time constant of the low-pass against encoder noise. Chosen. Below: some samples at 500 Hz;
-// above: kSwingTime.
+// [s] Time constant of the low-pass against encoder noise. Chosen. Longer than some samples at 500
+// Hz, shorter than kSwingTime.
 constexpr double kFilterTime = 0.01;
 // [s] Sample period to which the noise gains refer. Convention: 500 Hz.
 constexpr double kNoisePeriod = 0.002;

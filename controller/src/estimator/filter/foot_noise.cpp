@@ -8,8 +8,8 @@ namespace surefoot {
 
 namespace {
 // The method is from Mehra 1970; the values are chosen unless stated.
-// [s] Time constant with which the variance decays without innovations. Below: ten samples at 500
-// Hz; above: duration of an impact.
+// [s] Time constant with which the variance decays without innovations. Not shorter than ten
+// samples at 500 Hz, shorter than an impact.
 constexpr double kTimeConstant = 0.02;
 // Largest normalised innovation squared that counts, in units of its dimension. Derived: the square
 // of five standard deviations.

@@ -20,9 +20,9 @@ constexpr double kVarianceTolerance = 1e-6;
 constexpr double kMaxSpeed = 20.0;              // [m/s]
 constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
 constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
-// [rad] Rotation after which a linearisation point is renewed. Chosen. Below: noise of the
-// estimate, which made the tilt drift at rest (test_estimator_rest.cpp); above: error of the
-// linearisation.
+// [rad] Rotation after which a linearisation point is renewed. Chosen. If smaller: noise of the
+// estimate renews the point, which made the tilt drift at rest (test_estimator_rest.cpp). If
+// larger: the error of the linearisation grows.
 constexpr double kRelinearisationAngle = 0.01;
 
 double square(double x) noexcept { return x * x; }

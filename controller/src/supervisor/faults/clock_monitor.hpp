@@ -20,8 +20,8 @@ class ClockMonitor {
  public:
   // All chosen by hand; tests: clock_at_twice_the_rate_is_detected_within_200_ms,
   // correct_or_slow_clock_and_wrong_speeds_raise_no_fault.
-  /// [s] Length of a window, measured by the tick. Shorter: joints move too little in a window.
-  /// Longer: two windows and the wait for motion exceed the 0.2 s of fault_table().
+  /// [s] Length of a window, measured by the tick. If smaller: joints move too little in a window.
+  /// If larger: two windows and the wait for motion exceed the 0.2 s of fault_table().
   static constexpr double kWindow = 0.06;
   static constexpr int kWindows = 2;  ///< consecutive windows needed; one window may hold an impact
   /// [rad] Displacement (sum of dq times step) in a window from which a joint counts as moving. 18

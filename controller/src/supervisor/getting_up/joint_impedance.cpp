@@ -16,7 +16,7 @@ namespace {
 // Chosen by hand, so that the power protection does not trip. Measured with these values: 93 W at
 // most at level 1 (100 W) in benchmarks/get_up.py; no trip in benchmarks/false_trips.py. Tests:
 // test_joint_impedance.cpp.
-// [rad] Largest spring deflection. Must exceed LegFolding's lead (0.4). Larger: a released leg
+// [rad] Largest spring deflection. Larger than LegFolding's lead (0.4). If larger: a released leg
 // takes more power.
 constexpr double kMaxDeflection = 0.45;
 constexpr double kTorqueShare = 0.9;  // [tau_max] largest torque: a margin

@@ -25,11 +25,11 @@ constexpr double kMaxHipOutward = 0.7;
 constexpr double kSpeedShare = 0.3;
 // [1/s] Largest ds/dt. Slow on purpose: the path takes 1.25 s of a rise of 1.9 s (docs/faults.md).
 constexpr double kMaxRate = 0.8;
-// [1/rad] K / (m g times standing foot depth). Smaller: legs sag by more than 3 degrees. Larger:
-// freed legs take more power, which grows with K.
+// [1/rad] K / (m g times standing foot depth). If smaller: legs sag by more than 3 degrees. If
+// larger: freed legs take more power, which grows with K.
 constexpr double kStiffness = 1.05;
-// [s] D / K. Smaller: springs are released too fast. Larger: delay and lag of the motors make the
-// joints unstable.
+// [s] D / K. If smaller: springs are released too fast. If larger: delay and lag of the motors make
+// the joints unstable.
 constexpr double kDampingTime = 0.03;
 
 /// Dynamics of the robot at rest, with a level base at the world origin. Joint angles are in SDK

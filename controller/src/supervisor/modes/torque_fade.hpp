@@ -24,9 +24,9 @@ enum class TorqueSource { kDamping, kImpedance, kController };
 /// weights. Real-time: yes.
 class TorqueFade {
  public:
-  /// [s] Duration of a fade. Chosen. Shorter: torques change faster than TorqueRateLimiter allows
-  /// (9.5 % of the limits in 2 ms). Longer: the robot sinks during the fade, and requests are
-  /// refused as busy.
+  /// [s] Duration of a fade. Chosen. If smaller: torques change faster than TorqueRateLimiter
+  /// allows (9.5 % of the limits in 2 ms). If larger: the robot sinks during the fade, and requests
+  /// are refused as busy.
   static constexpr double kTime = 0.25;
 
   /// Begin a fade to source `next`. No effect if `next` is already the goal.

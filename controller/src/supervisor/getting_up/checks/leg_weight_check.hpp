@@ -29,8 +29,8 @@ class LegWeightCheck {
   // Chosen between ratios measured with benchmarks/false_trips.py (docs/faults.md). Healthy robots
   // with payloads up to 30 % on slopes up to 8 degrees: 0.92 to 1.07. Swapped legs: 4 to 12. A b1
   // with the model of a go1: 7. Tests: tests/cpp/test_rise_checks.cpp.
-  /// [rad] Angle by which the hips move. Smaller: the body may still rest on straight legs. Larger:
-  /// it exceeds the range of the hips.
+  /// [rad] Angle by which the hips move. If smaller: the body may still rest on straight legs. If
+  /// larger: it exceeds the range of the hips.
   static constexpr double kHipOutward = 0.35;
   static constexpr double kMinRatio = 0.4;  ///< Smallest ratio of a leg that hangs free.
   /// Largest ratio of a leg that hangs free, with friction of its hip.

@@ -8,8 +8,8 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand; benchmarks/get_up.py covers these values. Slower: a rise takes longer. Faster:
-// the press takes more power.
+// Chosen by hand; benchmarks/get_up.py covers these values. If slower: a rise takes longer. If
+// faster: the press takes more power.
 constexpr double kRate = 0.5;      // [1/s] rate of s: slower than RisePlan's 0.8 for all legs
 constexpr double kMinRate = 0.01;  // [1/s] smallest rate near the goal: s arrives in finite time
 constexpr double kAcceleration = 4.0;  // [1/s^2] acceleration of s: kRate is reached in 1/8 s

@@ -34,8 +34,8 @@ class RearPressCheck {
   static constexpr double kDiagonalLoad = 0.24;
   /// [m g] Load on the legs, by load_share(), below which the legs press on nothing.
   static constexpr double kMinLoad = 0.1;
-  /// Largest s of the rise path. Chosen: large enough for kMinNoseDown, too small to raise the
-  /// body.
+  /// Largest s of the rise path. Chosen. If smaller: kMinNoseDown is not reached. If larger: the
+  /// press raises the body.
   static constexpr double kMaxExtension = 0.35;
 
   explicit RearPressCheck(const RisePlan& plan) : plan_(plan) {}

@@ -9,7 +9,7 @@ namespace surefoot {
 ///
 /// The IMU computes its quaternion from the same gyroscope and accelerometer that the filter uses.
 /// So the quaternion is only a check and no independent measurement. Real-time: yes.
-class QuaternionCheck {
+class QuaternionTiltCheck {
  public:
   /// Process one sample.
   /// @param R_world_base attitude of the filter
@@ -18,7 +18,7 @@ class QuaternionCheck {
   SensorVerdict verdict() const noexcept { return verdict_; }
   /// Angle between the verticals of quaternion and filter [rad].
   double tilt_difference() const noexcept { return tilt_difference_; }
-  void reset() noexcept { *this = QuaternionCheck(); }
+  void reset() noexcept { *this = QuaternionTiltCheck(); }
 
  private:
   SensorVerdict verdict_ = SensorVerdict::kUnjudged;

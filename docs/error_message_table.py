@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Print a table of all error messages: text, where it is raised, and what to do.
 
-    python docs/messages.py > out/messages.md
+    python docs/error_message_table.py > out/messages.md
 
 It reads the sources: `raise Error(...)` in bindings/surefoot, `throw Error(...)` in controller/src
 and bindings/src. Values that a message inserts stand in angle brackets.

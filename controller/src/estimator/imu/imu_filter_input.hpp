@@ -4,13 +4,13 @@
 #include "dynamics/dynamics.hpp"
 #include "estimator/filter/invariant_filter.hpp"
 #include "estimator/imu/imu_reader.hpp"
-#include "estimator/imu/sample_noise.hpp"
+#include "estimator/imu/noise_estimator.hpp"
 
 namespace surefoot {
 
 /// Converts IMU readings to filter inputs: means over the tick and their variances.
 ///
-/// The mean is the average of the last and the present sample. SampleNoise measures the noise of
+/// The mean is the average of the last and the present sample. NoiseEstimator measures the noise of
 /// the samples, starting from the gains. Repeated samples get a larger variance.
 ///
 /// The gyroscope is replaced when its verdict is bad. It is also replaced when the IMU quaternion
@@ -19,7 +19,7 @@ namespace surefoot {
 /// of the quaternion if the quaternion has changed. Otherwise it is the rate from the legs, and
 /// with fewer than three stance feet zero with a large variance. An accelerometer with a bad
 /// verdict is replaced by gravity, as at rest. Real-time: yes.
-class ImuPreprocessor {
+class ImuFilterInput {
  public:
   /// Compute the filter input of this tick.
   /// @param dynamics dynamics of the last tick
@@ -29,7 +29,7 @@ class ImuPreprocessor {
 
   /// Return whether the last update() rejected the gyroscope.
   bool gyroscope_rejected() const noexcept { return gyroscope_rejected_; }
-  void reset() noexcept { *this = ImuPreprocessor(); }
+  void reset() noexcept { *this = ImuFilterInput(); }
 
  private:
   bool contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
@@ -39,7 +39,7 @@ class ImuPreprocessor {
                     const Eigen::Vector4d& contact, bool quaternion_changed,
                     ImuInput& out) const noexcept;
 
-  SampleNoise w_noise_, f_noise_;
+  NoiseEstimator w_noise_, f_noise_;
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
   Quaternion last_quaternion_ = Quaternion::Identity();  // of the IMU
   // Rotation that the filter has applied since the quaternion last changed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/imu/quaternion_check.hpp"
+#include "estimator/imu/quaternion_tilt_check.hpp"
 
 #include <algorithm>
 
@@ -7,19 +7,20 @@ namespace surefoot {
 
 namespace {
 // The tilts contradict each other above kMaxTiltDifference + kSigmaFactor sigma.
-// [rad] Error of an IMU's attitude filter under acceleration, 5 deg. Chosen. Above: 10 deg, at
-// which arming refuses a quaternion; test quaternion_disagrees_after_1_s_of_contradiction.
+// [rad] Error of an IMU's attitude filter under acceleration, 5 deg. Chosen. Smaller than 10 deg,
+// at which arming refuses a quaternion. Test: quaternion_disagrees_after_1_s_of_contradiction.
 constexpr double kMaxTiltDifference = 0.0873;
-// Factor of sigma, the standard deviation of the filter's tilt. Chosen: the default of gate_foot.
+// Factor of sigma, the standard deviation of the filter's tilt. Chosen. Equal to the default of
+// gate_foot.
 constexpr double kSigmaFactor = 4.0;
-// [s] Duration of a contradiction after which the verdict changes. Chosen. Below: a push of 0.1 s,
-// which disturbs the IMU's attitude filter; above: if the estimate is wrong, the robot balances
-// with a wrong tilt.
+// [s] Duration of a contradiction after which the verdict changes. Chosen. Longer than a push of
+// 0.1 s, which disturbs the IMU's attitude filter. If larger: if the estimate is wrong, the robot
+// balances with a wrong tilt for longer.
 constexpr double kDetectionTime = 1.0;
 }  // namespace
 
-void QuaternionCheck::update(const ImuReading& imu, const Matrix3& R_world_base, double sigma,
-                             double dt) noexcept {
+void QuaternionTiltCheck::update(const ImuReading& imu, const Matrix3& R_world_base, double sigma,
+                                 double dt) noexcept {
   if (!imu.has_quaternion) {
     verdict_ = imu.quaternion;
     return;

@@ -13,7 +13,7 @@ namespace surefoot {
 /// Second differences contain little body motion and six times the noise variance: per axis,
 /// E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, which is right for the
 /// filter. Real-time: yes.
-class SampleNoise {
+class NoiseEstimator {
  public:
   /// Start again with an initial value.
   /// @param sigma standard deviation of one axis; estimates stay within 0.25 sigma .. 10 sigma
@@ -41,9 +41,9 @@ class SampleNoise {
   }
 
  private:
-  // [s] Time constant of the average. Chosen. Below: 10 % accuracy needs some hundred samples;
-  // above: changes of the noise, such as vibration. Test:
-  // sample_noise_is_estimated_within_10_percent_during_motion.
+  // [s] Time constant of the average. Chosen. If smaller: the estimate misses an accuracy of 10 %,
+  // which needs some hundred samples. If larger: the estimate follows changes of the noise, such as
+  // vibration, too late. Test: sample_noise_is_estimated_within_10_percent_during_motion.
   static constexpr double kTimeConstant = 0.5;
   static constexpr double kPriorSamples = 20.0;  // [samples] weight of the initial value; chosen
   // Largest sample variance that counts, as a multiple of the estimate; impacts cause larger ones.

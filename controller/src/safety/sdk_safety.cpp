@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surefoot/safety.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "surefoot/safety.hpp"
 
 namespace surefoot {
 
@@ -13,8 +13,8 @@ namespace {
 constexpr int kTripCount = 5;  // the protection trips above this count
 constexpr int kMaxCount = 10;  // largest value of the counter
 constexpr int kMaxLevel = 10;  // largest level of the SDK's PowerProtect
-// [rad] At this |q| and above, there is no position command. Chosen below the SDK's PosStopF =
-// 2.146e9, because the vendor's Python examples send other values of that size.
+// [rad] At this |q| and above, there is no position command. Chosen. Smaller than the SDK's
+// PosStopF = 2.146e9, because the vendor's Python examples send other values of that size.
 constexpr float kMinPositionOff = 1e9F;
 
 // Compute sum |tauEst dq| [W]. The sum of absolute values propagates NaN and infinity, so one check

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/imu/imu_preprocessor.hpp"
+#include "estimator/imu/imu_filter_input.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -20,8 +20,8 @@ constexpr double kNoiseOnlyChange = 18.0;
 // to 1 / sqrt(12) = 0.29, the value if the mean is uniformly distributed between the two samples.
 constexpr double kMeanUncertainty = 0.25;
 // [rad/s] Standard deviations of a rate from the IMU quaternion and of a rate from the legs.
-// Chosen: both above noise_gyroscope (0.01), because these rates replace the gyroscope only when it
-// fails. The value of the legs is larger because feet slip. Test:
+// Chosen. Both larger than noise_gyroscope (0.01), because these rates replace the gyroscope only
+// when it fails. The value of the legs is larger because feet slip. Test:
 // frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates.
 constexpr double kQuaternionRateNoise = 0.05;
 constexpr double kLegRateNoise = 0.2;
@@ -29,15 +29,17 @@ constexpr double kLegRateNoise = 0.2;
 // deg/s.
 constexpr double kMaxQuaternionRate = 35.0;
 // The gyroscope is rejected if both conditions hold:
-// [rad/s] The rates of gyroscope and legs differ by more than this. Chosen. Below: five times
-// kLegRateNoise; above: an error of 3 rad/s for 0.1 s made a go1 fall (docs/estimation.md).
+// [rad/s] The rates of gyroscope and legs differ by more than this. Chosen. Not smaller than five
+// times kLegRateNoise; smaller than 3 rad/s: an error of 3 rad/s for 0.1 s made a go1 fall
+// (docs/estimation.md).
 constexpr double kMinContradiction = 1.0;
 // The rates of quaternion and legs differ by less than this share of the first difference. Chosen:
 // the quaternion is then closer to the legs than to the gyroscope; test
 // legs_and_quaternion_outvote_a_wrong_gyroscope.
 constexpr double kAgreementRatio = 0.5;
 // [rad/s], [m/s^2] Standard deviations of rate and specific force if nothing measures them and the
-// body is assumed to be at rest. Chosen: larger than the motion of a standing body; 1 rad/s, 0.3 g.
+// body is assumed to be at rest: 1 rad/s and 0.3 g. Chosen. Larger than the motion of a standing
+// body.
 constexpr double kUnmeasuredRateNoise = 1.0;
 constexpr double kUnmeasuredForceNoise = 3.0;
 
@@ -59,9 +61,9 @@ double mean_variance(const Vector3& change, double sigma) noexcept {
 
 }  // namespace
 
-ImuInput ImuPreprocessor::update(const Gains& gains, const ImuReading& imu,
-                                 const InvariantFilter& filter, const Dynamics& dynamics,
-                                 const Eigen::Vector4d& contact, double dt) noexcept {
+ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
+                                const InvariantFilter& filter, const Dynamics& dynamics,
+                                const Eigen::Vector4d& contact, double dt) noexcept {
   ImuInput out;
   out.dt = dt;
   if (!started_) {
@@ -106,10 +108,9 @@ ImuInput ImuPreprocessor::update(const Gains& gains, const ImuReading& imu,
 
 // Return whether legs and IMU quaternion agree with each other, but not with the gyroscope. When
 // feet slip or the body is hit, gyroscope and quaternion agree, so the gyroscope is not rejected.
-bool ImuPreprocessor::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
-                                            const Dynamics& dynamics,
-                                            const Eigen::Vector4d& contact,
-                                            bool quaternion_changed) const noexcept {
+bool ImuFilterInput::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
+                                           const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                                           bool quaternion_changed) const noexcept {
   if (!quaternion_changed && !gyroscope_rejected_) return false;  // legs alone do not suffice
   // With fewer than three stance feet, use the last rate instead of the rate from the legs: a body
   // cannot change its rate by kMinContradiction within one tick.
@@ -123,9 +124,9 @@ bool ImuPreprocessor::contradicts_gyroscope(const ImuReading& imu, const Invaria
   return (w_quaternion - w_legs).norm() < kAgreementRatio * deviation;
 }
 
-void ImuPreprocessor::replace_rate(const ImuReading& imu, const InvariantFilter& filter,
-                                   const Dynamics& dynamics, const Eigen::Vector4d& contact,
-                                   bool quaternion_changed, ImuInput& out) const noexcept {
+void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& filter,
+                                  const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                                  bool quaternion_changed, ImuInput& out) const noexcept {
   Vector3 w = Vector3::Zero();
   double sigma = kUnmeasuredRateNoise;
   // The robot may update the quaternion less often than it sends samples. The filter has already

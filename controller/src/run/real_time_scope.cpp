@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/real_time_thread.hpp"
+#include "run/real_time_scope.hpp"
 
 #include <pthread.h>
 #include <sched.h>
@@ -17,8 +17,8 @@ namespace surefoot {
 
 namespace {
 
-// SCHED_FIFO priority, 1 .. 99. Chosen below the kernel's threads (99) and above the kernel's
-// threaded interrupts (50).
+// SCHED_FIFO priority, 1 .. 99. Chosen. Lower than the kernel's threads (99), higher than the
+// kernel's threaded interrupts (50).
 constexpr int kPriority = 80;
 
 timespec to_timespec(double seconds) noexcept {
