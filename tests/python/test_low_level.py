@@ -249,7 +249,7 @@ UNUSED += ["IMU.rpy", "IMU.temperature"]
 
 
 def test_docstrings_mark_used_and_unused_fields() -> None:
-    assert [name for name in USED if "Read by " not in docstring_of(name)] == []
+    assert [name for name in USED if "Read by" not in docstring_of(name)] == []
     assert [name for name in UNUSED if "does not read this field" not in docstring_of(name)] == []
     assert "joint-side" in docstring_of("MotorState")
     assert "joint-side" in docstring_of("MotorCmd")
