@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from surefoot.assess.foot_rolling import remove_rolling
+from surefoot.assess.motion_without_rolling import remove_rolling
 
 RADIUS, UP, N = 0.03, np.array([0.0, 0.0, 1.0]), 400
 

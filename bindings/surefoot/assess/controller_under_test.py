@@ -13,7 +13,7 @@ from functools import partial
 from typing import Any
 
 from surefoot._core import Error, Robot, StandController, StandOptions
-from surefoot.assess.controller_check import (
+from surefoot.assess.checked_controller import (
     ControlFunction,
     ControllerFailure,
     checked_controller,

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import LowCmd
+from surefoot.assess.checked_controller import ControlFunction
 from surefoot.assess.condition import Condition
 from surefoot.assess.condition_plant import ground_mover
-from surefoot.assess.controller_check import ControlFunction
-from surefoot.assess.foot_rolling import remove_rolling
+from surefoot.assess.motion_without_rolling import remove_rolling
 from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 from surefoot.sim.truth import has_fallen

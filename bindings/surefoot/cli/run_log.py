@@ -12,7 +12,7 @@ from surefoot.estimate import SensorLog, write_log
 from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sensor_log.column_definitions import RUN_PREFIX
-from surefoot.sensor_log.sensor_columns import sensor_columns
+from surefoot.sensor_log.columns_from_low_states import sensor_columns
 
 # Chosen: the run before a fault; bounds the memory.
 LOG_TIME = 60.0  # [s] default of --log-time, the duration that the log covers

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error, Robot
-from surefoot.robot.config import build_config, per_motor
+from surefoot.robot.build_config import build_config, per_motor
 from surefoot.robot.description import RobotDescription, available_robots, describe_robot
 from surefoot.robot.robot_toml import read_table
 

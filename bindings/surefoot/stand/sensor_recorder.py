@@ -9,7 +9,7 @@ from surefoot._core import LowState
 from surefoot.geometry.batch_rotations import matrices_from_xyzw
 from surefoot.messages.low_state_layout import LOW_STATE
 from surefoot.sensor_log.clock import read_clock
-from surefoot.sensor_log.sensor_columns import sensor_columns
+from surefoot.sensor_log.columns_from_low_states import sensor_columns
 from surefoot.sensor_log.sensor_log import SensorLog
 from surefoot.sim import Truth
 

@@ -1,6 +1,6 @@
 """Virtual robot: a plant in MuJoCo that receives and sends the UDP frames of the SDK."""
 
-from surefoot.virtual_robot.joint_shaking import Shake, parse_shake
+from surefoot.virtual_robot.joint_shaker import Shake, parse_shake
 from surefoot.virtual_robot.remote import RemoteEvent, read_remote_script
 from surefoot.virtual_robot.robot import VirtualRobot
 from surefoot.virtual_robot.run import RunOptions, run_robot

@@ -14,7 +14,7 @@ from surefoot.sim import Plant
 from surefoot.sim.hardware.motors import command_law, damping_law
 from surefoot.sim.hardware.wire_format import MotorCommands, measured_power
 from surefoot.sim.truth import FALLEN_TILT_COS, has_fallen
-from surefoot.virtual_robot.joint_shaking import JointShaker
+from surefoot.virtual_robot.joint_shaker import JointShaker
 from surefoot.virtual_robot.remote import Remote
 from surefoot.virtual_robot.robot_link import RobotLink
 from surefoot.virtual_robot.settings import VirtualRobotSettings
