@@ -84,7 +84,6 @@ def package_imports() -> list[Import]:
     return [
         (name, target)
         for name, path in paths.items()
-        if "workers" not in name  # they run in a peer's environment, without surefoot
         for target in python_imports(path.read_text(), modules)
         if target != name
     ]

@@ -9,6 +9,7 @@ import numpy as np
 from surefoot._core import LowCmd, LowState, Supervisor, damping_low_cmd
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Plant
+from surefoot.sim.hardware.motors import BRAKE_KD
 
 # Number of control periods without a command after which a robot damps by itself. Derived: 100 ms
 # at 500 Hz, as kRobotWatchdogTime (controller/src/common/command_times.hpp) and the default timeout
@@ -69,7 +70,7 @@ class MissedPeriods(Fault):
     def change_command(self, command: LowCmd, k: int) -> None:
         """Damp the motors after 100 ms without a command, as a robot does by itself."""
         if self._missed_count > WATCHDOG_PERIODS:
-            command.raw[:] = damping_low_cmd(3.0).raw  # [N.m.s/rad] as sim.hardware.motors.BRAKE_KD
+            command.raw[:] = damping_low_cmd(BRAKE_KD).raw
 
 
 class ProgramSuspended(MissedPeriods):
