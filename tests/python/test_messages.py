@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every error message says what to do; docs/error_message_table.py lists them all."""
+"""Every error message says what to do; docs/tools/error_message_table.py lists them all."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import ModuleType
 
 import pytest
 
-SCRIPT = Path(__file__).parents[2] / "docs" / "error_message_table.py"
+SCRIPT = Path(__file__).parents[2] / "docs" / "tools" / "error_message_table.py"
 
 
 @pytest.fixture(scope="module")

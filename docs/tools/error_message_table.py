@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Print a table of all error messages: text, where it is raised, and what to do.
 
-    python docs/error_message_table.py > out/messages.md
+    python docs/tools/error_message_table.py > out/messages.md
 
 It reads the sources: `raise Error(...)` in bindings/surefoot, `throw Error(...)` in controller/src
 and bindings/src. Values that a message inserts stand in angle brackets.
@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 THROW = re.compile(r"throw (?:surefoot::)?Error\((?P<text>.*?)\);", re.DOTALL)
 LITERAL = re.compile(r'"((?:\\.|[^"\\])*)"')
 ADVICE = (
