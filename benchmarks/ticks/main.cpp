@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times the controller on recorded LowStates. `surefoot bench` runs it and reads its output.
-//   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] [--period-us P]
+//   surefoot_tick_bench NAME.robot LOW_STATES OUT [--form F] [--passes N] [--period-us P]
 //                       [--references FILE]
-// REPORTS holds packed LowStates. --references holds one BodyReference per LowState; the controller
+// LOW_STATES holds packed LowStates. --references holds one BodyReference per LowState; the controller
 // receives it before that LowState. OUT starts with one line of JSON that describes every series.
 // The bench::CallTiming records of all series follow in the same order.
 #include <sys/mman.h>
@@ -89,7 +89,7 @@ void write_series(const char* path, const std::vector<bench::Series>& all, bool 
 
 int main(int argc, char** argv) {
   if (argc < 4) {
-    std::puts("usage: surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] ...");
+    std::puts("usage: surefoot_tick_bench NAME.robot LOW_STATES OUT [--form F] [--passes N] ...");
     return 2;
   }
   try {

@@ -30,7 +30,7 @@ void bind_enums(nb::module_& m) {
              "footForce: raw counts, calibrated against the other sources.")
       .value("TAU_EST", ContactSource::kTauEst,
              "Foot force computed from the joint torques of the leg.")
-      .value("NO_SLIP", ContactSource::kNoSlip,
+      .value("NO_SLIP", ContactSource::kFootMotion,
              "Foot motion: a foot that rises or moves fast is off the ground.");
 }
 

@@ -169,7 +169,7 @@ void bind_controller(nb::module_& m) {
                    "Present body reference, which moves towards the target.")
       .def_prop_ro("reach", &StandController::reach,
                    "Limit that stops the body reference before its target.")
-      .def("give_up_leg", &StandController::give_up_leg, "leg"_a,
+      .def("declare_leg_lost", &StandController::declare_leg_lost, "leg"_a,
            "Give up a leg, 0 .. 3, until reset().\n\n"
            "Its foot carries no load from now on, its motors damp, and the centre of mass\n"
            "moves over the other three feet. The call is ignored if a leg is already lost or\n"

@@ -15,7 +15,8 @@ from types import TracebackType
 import surefoot
 from fenced_blocks import REASONS, ROOT, Block
 
-TIMEOUT = 300.0  # [s] for one block. Chosen. If smaller: a slow machine fails. If larger: hangs cost time.
+# [s] For one block. Chosen. If smaller: a slow machine fails. If larger: a hang costs time.
+TIMEOUT = 300.0
 INTERPRETER = Path(__file__).with_name("block_interpreter.py")
 
 
@@ -24,7 +25,7 @@ class BlockError(Exception):
 
 
 def environment() -> dict[str, str]:
-    """Return the environment of all blocks: this Python first on PATH, pictures without a screen."""
+    """Return the environment of all blocks: this Python first on PATH, MuJoCo on EGL."""
     binaries = str(Path(sys.executable).parent)
     return {"MUJOCO_GL": "egl", **os.environ, "PATH": f"{binaries}:{os.environ['PATH']}"}
 

@@ -56,7 +56,9 @@ class Block:
         return match[1] if match else ""
 
     def _option(self, name: str) -> str:
-        return self.options.removeprefix(f"{name}: ") if self.options.startswith(f"{name}: ") else ""
+        return (
+            self.options.removeprefix(f"{name}: ") if self.options.startswith(f"{name}: ") else ""
+        )
 
 
 def page_paths() -> list[Path]:

@@ -25,7 +25,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 from block_runner import BlockError, PageRunner
-from fenced_blocks import ROOT, Block, page_paths, read_blocks
+from fenced_blocks import Block, page_paths, read_blocks
 
 MAX_NO_RUN = 10
 

@@ -125,14 +125,14 @@ def test_support_margin_is_nan_for_invalid_legs_and_inf_after_a_loss() -> None:
     stand = scene.supervisor.stand_controller
     assert all(np.isnan(stand.capture_margin_without(leg)) for leg in (-1, 4))
     assert all(abs(stand.capture_margin_without(leg)) < 0.05 for leg in range(4))
-    stand.give_up_leg(7)
+    stand.declare_leg_lost(7)
     assert stand.lost_leg == -1
-    stand.give_up_leg(2)
-    stand.give_up_leg(1)
+    stand.declare_leg_lost(2)
+    stand.declare_leg_lost(1)
     assert stand.lost_leg == 2
     assert stand.capture_margin_without(1) == np.inf
     scene.run_for(0.1)
-    assert scene.has(FaultId.LEG_LOST)  # also after give_up_leg()
+    assert scene.has(FaultId.LEG_LOST)  # also after declare_leg_lost()
     assert scene.supervisor.faults.motor(FaultId.LEG_LOST) == 6
 
 

@@ -84,7 +84,7 @@ def test_out_of_range_gains_are_refused_and_reset_the_slider() -> None:
         editor.set(KP, 1e6)
     with pytest.raises(surefoot.Error, match="contact_force_on"):
         editor.set("contact_force_off", 0.3)
-    assert editor.gains == OWN and editor.version == 0 and editor.revision == 2
+    assert editor.gains == OWN and editor.gains_version == 0 and editor.slider_version == 2
 
 
 def test_slots_a_and_b_store_and_restore_gains() -> None:

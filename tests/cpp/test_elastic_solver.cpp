@@ -84,11 +84,11 @@ BOOST_AUTO_TEST_CASE(penalty_above_the_multiplier_sum_gives_the_hard_solution) {
     BOOST_REQUIRE((high_penalty.solve(p, penalty, kCurvature).status == Status::kOk));
     BOOST_TEST((high_penalty.x() - hard.x()).norm() < 1e-7);
     BOOST_TEST(high_penalty.slack().maxCoeff() < 1e-8);
-    BOOST_TEST(!high_penalty.slack_active());
+    BOOST_TEST(!high_penalty.elastic_mode());
     penalty[group] = 0.9 * sum[group];
     BOOST_REQUIRE((low_penalty.solve(p, penalty, kCurvature).status == Status::kOk));
     BOOST_TEST(low_penalty.slack()[group] > 1e-4);
-    BOOST_TEST(low_penalty.slack_active());
+    BOOST_TEST(low_penalty.elastic_mode());
   }
   BOOST_TEST(tried >= 20);
 }
@@ -97,9 +97,9 @@ BOOST_AUTO_TEST_CASE(solver_returns_to_the_hard_qp_when_all_slacks_are_zero) {
   ElasticSolver solver(kN, 0, elastic_rows(), 1e-6);
   const Eigen::VectorXd penalty = Eigen::VectorXd::Constant(kGroups, 100.0);
   solver.solve(problem_of(1), penalty, kCurvature);
-  BOOST_TEST(solver.slack_active());
+  BOOST_TEST(solver.elastic_mode());
   for (int k = 0; k < 30; ++k) solver.solve(problem_of(0), penalty, kCurvature);
-  BOOST_TEST(!solver.slack_active());
+  BOOST_TEST(!solver.elastic_mode());
   BOOST_TEST(solver.slack().maxCoeff() == 0.0);
 }
 
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(elastic_mode_lasts_equally_long_each_time) {
     const Eigen::VectorXd low = Eigen::VectorXd::Constant(kGroups, 1e-9);
     solver.solve(problem_of(1), low, kCurvature);
     int ticks = 0;
-    for (; solver.slack_active() && ticks < 100; ++ticks) {
+    for (; solver.elastic_mode() && ticks < 100; ++ticks) {
       solver.solve(problem_of(0), Eigen::VectorXd::Constant(kGroups, 100.0), kCurvature);
     }
     return ticks;

@@ -30,7 +30,7 @@ struct RecoveryStepsFixture : CapturePointRobot {
   void tick(const Eigen::Vector4d& contact) {
     FeetMatrix seen = feet;
     Eigen::Vector4d standing = contact;
-    steps.mask_swing_feet(support, seen, standing);
+    steps.exclude_swing_feet(support, seen, standing);
     support.update(seen, standing, kDt);
     steps.update(gains, dynamics, feet, contact, support, kDt);
   }

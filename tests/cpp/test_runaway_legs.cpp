@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(power_limit_above_the_rise_leaves_torques_identical) {
 
 BOOST_AUTO_TEST_CASE(lost_leg_is_not_checked_for_runaway) {
   RunawayScene robot(2.0);  // the lost leg's torques are small, and not sent at all
-  for (StandController* c : {&robot.free, &robot.limited}) c->give_up_leg(0);
+  for (StandController* c : {&robot.free, &robot.limited}) c->declare_leg_lost(0);
   for (int k = 0; k < 5; ++k) robot.step(0.0F);
   const int calf = robot.robot.motor_to_v()[FR_2] - 6;
   robot.along = robot.free.solution().torques[calf] > 0.0 ? 1.0F : -1.0F;

@@ -109,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(feet_of_a_lifted_robot_follow_the_body_and_extend_downwa
 }
 
 BOOST_FIXTURE_TEST_CASE(lost_leg_has_zero_load_and_no_stance_reference, StandReferenceFixture) {
-  stand.give_up_leg(RL_);
+  stand.declare_leg_lost(RL_);
   const Reference& desired = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);
   BOOST_TEST(!desired.feet[RL_].stance);
   BOOST_TEST(desired.feet[RL_].load == 0.0);

@@ -41,7 +41,7 @@ BOOST_FIXTURE_TEST_CASE(lean_is_zero_on_four_legs, ThreeLegStanceFixture) {
 BOOST_FIXTURE_TEST_CASE(body_leans_at_most_6_cm_into_the_support_triangle, ThreeLegStanceFixture) {
   for (int leg = 0; leg < kLegs; ++leg) {
     three.reset();
-    three.give_up_leg(leg);
+    three.declare_leg_lost(leg);
     BOOST_TEST(std::abs(capture_margin_without(leg, Vector3::Zero())) < 1e-9);
     wait(Vector3::Zero());
     BOOST_TEST(capture_margin_without(leg, three.com_offset()) > 0.03);
@@ -52,7 +52,7 @@ BOOST_FIXTURE_TEST_CASE(body_leans_at_most_6_cm_into_the_support_triangle, Three
 }
 
 BOOST_FIXTURE_TEST_CASE(body_over_the_support_triangle_does_not_lean, ThreeLegStanceFixture) {
-  three.give_up_leg(FL_);
+  three.declare_leg_lost(FL_);
   const Vector3 inside(-0.06, -0.05, 0.3);
   BOOST_TEST(capture_margin_without(FL_, inside) > 0.05);
   wait(inside);
@@ -60,7 +60,7 @@ BOOST_FIXTURE_TEST_CASE(body_over_the_support_triangle_does_not_lean, ThreeLegSt
 }
 
 BOOST_FIXTURE_TEST_CASE(lean_changes_smoothly, ThreeLegStanceFixture) {
-  three.give_up_leg(RR_);
+  three.declare_leg_lost(RR_);
   Vector3 before = Vector3::Zero();
   for (int tick = 0; tick < 1000; ++tick) {
     three.update(places, Vector3::Zero(), kDt);

@@ -82,7 +82,8 @@ class Condition:
     soft_ground_mm: float = 0.0
     quiet_s: float = 0.4  # chosen: longer than the estimator needs to find the attitude (0.15 s)
     pushes: bool = False
-    # The same tolerances as RETURN_DISTANCE, RETURN_ANGLE and MAX_FOOT_TRAVEL in push_outcome.py.
+    # The same tolerances as RETURN_DISTANCE, RETURN_ANGLE and MAX_FOOT_DISPLACEMENT of
+    # push_outcome.py.
     height_within_mm: float = 10.0
     tilt_within_deg: float = 2.0
     foot_within_mm: float = 10.0

@@ -15,7 +15,7 @@ from surefoot.geometry.rotations import Array
 # cause (0.1 mm, 0.05 deg).
 SURVIVAL_TIME = 3.0  # [s] time after the end of a push without a fall that counts as survived
 RETURN_TIME = 2.0  # [s] time after the end of a push at which the body must be back in its pose
-MAX_FOOT_TRAVEL = 0.01  # [m] tolerance of a foot's slide or lift; rolling does not count
+MAX_FOOT_DISPLACEMENT = 0.01  # [m] tolerance of a foot's slide or lift; rolling does not count
 RETURN_DISTANCE = 0.01  # [m] tolerance of the base position after RETURN_TIME
 RETURN_ANGLE = 2.0  # [deg] tolerance of the base attitude after RETURN_TIME
 
@@ -26,9 +26,9 @@ class PushOutcome:
 
     Attributes:
         survived: True if the robot stays upright for SURVIVAL_TIME and only feet touch the ground.
-        in_place: True if the robot survived, no foot moved by more than MAX_FOOT_TRAVEL, and after
-            RETURN_TIME the base stays within RETURN_DISTANCE and RETURN_ANGLE of its pose before
-            the push.
+        in_place: True if the robot survived, no foot moved by more than MAX_FOOT_DISPLACEMENT, and
+            after RETURN_TIME the base stays within RETURN_DISTANCE and RETURN_ANGLE of its pose
+            before the push.
         foot_mm: Largest slide or lift of a foot [mm]; None if the controller failed.
         return_error_mm: Largest base position error after RETURN_TIME [mm]; None if the robot fell
             or the controller failed.
@@ -69,7 +69,9 @@ def judge_push(trajectory: TrueTrajectory, push_time: float, duration: float) ->
     angle = float(
         np.degrees(attitude_angles(after_return[:, 3:], trajectory.base[first, 3:]).max())
     )
-    in_place = foot <= MAX_FOOT_TRAVEL and distance <= RETURN_DISTANCE and angle <= RETURN_ANGLE
+    in_place = (
+        foot <= MAX_FOOT_DISPLACEMENT and distance <= RETURN_DISTANCE and angle <= RETURN_ANGLE
+    )
     return PushOutcome(True, in_place, 1e3 * foot, 1e3 * distance, angle)
 
 

@@ -26,7 +26,7 @@ enum class ContactSource : int {
   kFootForceEst = 0,  ///< LowState::footForceEst [N]
   kFootForce,         ///< LowState::footForce: raw counts, calibrated against the other sources
   kTauEst,            ///< foot force computed from the joint torques of the leg
-  kNoSlip             ///< motion of the foot: a foot that rises or moves fast is off the ground
+  kFootMotion         ///< motion of the foot: a foot that rises or moves fast is off the ground
 };
 constexpr int kContactSources = 4;
 /// Return the name of a source. Real-time: yes.

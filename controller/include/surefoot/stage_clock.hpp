@@ -8,15 +8,15 @@ namespace surefoot {
 
 /// Parts of a tick. The time of a nested stage counts only for the nested stage.
 enum class Stage : std::size_t {
-  kEstimate,   ///< check of the LowState, and state estimation without the dynamics
-  kDynamics,   ///< kinematics, mass matrix, bias terms, foot Jacobians and drifts
-  kReference,  ///< body reference, support frame
-  kTasks,      ///< desired accelerations, joint limits, even forces
-  kCondense,   ///< accelerations and torques as functions of the contact forces
-  kProgram,    ///< writing the QP, reading its solution
-  kSolve,      ///< QP solver
-  kCheck,      ///< residual check of the solver's result
-  kSafety,     ///< power limit, command hold, and all else that no other stage covers
+  kEstimate,    ///< check of the LowState, and state estimation without the dynamics
+  kDynamics,    ///< kinematics, mass matrix, bias terms, foot Jacobians and drifts
+  kReference,   ///< body reference, support frame
+  kTasks,       ///< desired accelerations, joint limits, even forces
+  kCondense,    ///< accelerations and torques as functions of the contact forces
+  kQpAssembly,  ///< writing the QP, reading its solution
+  kSolve,       ///< QP solver
+  kCheck,       ///< residual check of the solver's result
+  kSafety,      ///< power limit, command hold, and all else that no other stage covers
   kCount
 };
 constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kCount);

@@ -89,7 +89,7 @@ class StandController {
   /// Give up a leg, 0 .. 3, until reset(): its foot carries no load from now on, its motors damp,
   /// and the centre of mass moves over the other three feet. The call is ignored if a leg is
   /// already lost or `leg` is not 0 .. 3. Real-time: yes.
-  void give_up_leg(int leg) noexcept;
+  void declare_leg_lost(int leg) noexcept;
   int lost_leg() const noexcept;  ///< the leg that was given up, or -1
   /// Compute the distance [m] from the capture point to the nearest edge of the support triangle
   /// that remains without `leg`, by the newest estimate. Negative: outside the triangle. Infinite:

@@ -31,7 +31,7 @@ const char* to_string(ContactSource source) noexcept {
       return "footForce";
     case ContactSource::kTauEst:
       return "tauEst";
-    case ContactSource::kNoSlip:
+    case ContactSource::kFootMotion:
       return "no slip";
   }
   return "unknown";

@@ -75,7 +75,7 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   const Vector6 before = velocity_;
   velocity_ = before + limited_change(gains, desired_velocity(gains) - before, dt);
   // Continue only if the pose in which the body could stop is acceptable; brake otherwise.
-  const double stopping = stopping_time(gains) + dt;
+  const double stopping = half_braking_time(gains) + dt;
   if (acceptable(gains, position_ + stopping * velocity_, feet, gravity)) {
     v_com_ = (reach_check_.p_com() + com_offset_ - p_com_) / stopping;
   } else {
@@ -162,7 +162,7 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
 
 // Compute the braking distance divided by the present speed, v / (2 a): half of the time that
 // braking takes. The body stops at position_ + velocity_ * this time.
-double BodyMotion::stopping_time(const Gains& gains) const noexcept {
+double BodyMotion::half_braking_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);
 }

@@ -68,7 +68,7 @@ class BodyMotion {
                   double dt) noexcept;
   Vector6 desired_velocity(const Gains& gains) const noexcept;
   Vector6 limited_change(const Gains& gains, Vector6 change, double dt) const noexcept;
-  double stopping_time(const Gains& gains) const noexcept;
+  double half_braking_time(const Gains& gains) const noexcept;
   Quaternion orientation_at(const Vector6& position) const noexcept;
   Vector3 angular_velocity(const Vector3& rates) const noexcept;
 

@@ -41,9 +41,9 @@ constexpr double kMinMargin = 0.01;
 // survives 100 % of the pushes with this value and 97.5 % with half of it (git b8a299d).
 constexpr double kFootSpeed = 2.0;
 // [s] Time constant with which the nominal position moves to a foot that has landed;
-// support_frame.cpp has another kNominalFootTime, for loaded feet. If shorter: the references jump.
+// kNominalFeetDriftTime of support_frame.cpp is for loaded feet. If shorter: the references jump.
 // Shorter than kSwingTime, so that it has moved before the next step lands.
-constexpr double kNominalFootTime = 0.05;
+constexpr double kFootReturnTime = 0.05;
 constexpr double kReturnTime = 0.2;  // [s] time constant of the foot offsets' decay after stop()
 
 // Return the height of the centre of mass above the feet, at least 0.05 m as in capture_point().
@@ -76,7 +76,7 @@ void RecoverySteps::update(const Gains& gains, const Dynamics& dynamics,
     if (phase_[leg] != FootPhase::kStance) {
       update_swing(leg, from_nominal.col(leg), support.normal(), height, dt);
     } else {
-      const Vector3 nominal_change = dt / (dt + kNominalFootTime) * foot_offsets_.col(leg);
+      const Vector3 nominal_change = dt / (dt + kFootReturnTime) * foot_offsets_.col(leg);
       support.move_nominal_foot(leg, nominal_change);
       foot_offsets_.col(leg) -= nominal_change;
     }
@@ -88,8 +88,8 @@ void RecoverySteps::stop(double dt) noexcept {
   foot_offsets_ *= 1.0 - dt / (dt + kReturnTime);
 }
 
-void RecoverySteps::mask_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
-                                    Eigen::Vector4d& contact) const noexcept {
+void RecoverySteps::exclude_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
+                                       Eigen::Vector4d& contact) const noexcept {
   const FeetMatrix nominal_feet = support.p_world_nominal_feet();
   p_world_feet -= foot_offsets_;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -45,8 +45,8 @@ class RecoverySteps {
   /// to 0.
   /// @param p_world_feet in and out: contact points without rolling, world frame [m]
   /// @param contact in and out: contact confidence per foot, 0 .. 1
-  void mask_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
-                       Eigen::Vector4d& contact) const noexcept;
+  void exclude_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
+                          Eigen::Vector4d& contact) const noexcept;
 
   /// Return whether the foot is in contact and is being unloaded for a step.
   bool is_lifting_off(int leg) const noexcept { return phase_[leg] == FootPhase::kLiftingOff; }

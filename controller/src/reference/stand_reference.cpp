@@ -42,7 +42,7 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   const FeetMatrix p = contact_points(dynamics) - foot_rolling_.displacement();
   FeetMatrix support_feet = p;
   Eigen::Vector4d support_contact = contact;
-  recovery_steps_.mask_swing_feet(support_, support_feet, support_contact);
+  recovery_steps_.exclude_swing_feet(support_, support_feet, support_contact);
   support_.update(support_feet, support_contact, dt);
   if (three_leg_stance_.lost_leg() == ThreeLegStance::kNone && airborne_share_ < kLiftedShare) {
     recovery_steps_.update(gains, dynamics, p, contact, support_, dt);

@@ -38,7 +38,7 @@ class StandReference {
     airborne_share_ = 0.0;
   }
   /// Declare a leg lost until reset(): the reference plans no load for its foot.
-  void give_up_leg(int leg) noexcept { three_leg_stance_.give_up_leg(leg); }
+  void declare_leg_lost(int leg) noexcept { three_leg_stance_.declare_leg_lost(leg); }
   int lost_leg() const noexcept { return three_leg_stance_.lost_leg(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 

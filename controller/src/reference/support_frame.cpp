@@ -17,7 +17,7 @@ constexpr double kGroundTime = 0.5;
 // Chosen with robots that are handed over on slopes (git a8e6a2e).
 constexpr double kInitialTime = 0.15;
 // [s] Time constant of the nominal positions of loaded feet. Chosen equal to kGroundTime.
-constexpr double kNominalFootTime = 0.5;
+constexpr double kNominalFeetDriftTime = 0.5;
 // [m^2] Regularisation: where the feet in contact do not determine the tilt (two feet: about the
 // line through them), the old tilt stays. Numerical: small against the spread of the feet, about
 // 0.02 m^2 (0.15 m each).
@@ -125,7 +125,7 @@ void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4
   moved.row(2) -=
       slope(d, moved.row(2), weight, kDetrendRegularisation).transpose() * d.topRows<2>();
   for (int leg = 0; leg < kLegs; ++leg) {
-    nominal_feet_.col(leg) += contact[leg] * dt / (dt + kNominalFootTime) * moved.col(leg);
+    nominal_feet_.col(leg) += contact[leg] * dt / (dt + kNominalFeetDriftTime) * moved.col(leg);
   }
   const Vector3 shift = nominal_feet_.rowwise().mean();
   const Matrix3 turn = rotation_z(heading(nominal_feet_));

@@ -12,7 +12,7 @@ class ThreeLegStance {
   static constexpr int kNone = -1;
 
   /// Declare a leg lost until reset().
-  void give_up_leg(int leg) noexcept { lost_leg_ = leg; }
+  void declare_leg_lost(int leg) noexcept { lost_leg_ = leg; }
   void reset() noexcept {
     lost_leg_ = kNone;
     com_offset_.setZero();

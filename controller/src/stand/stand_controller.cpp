@@ -54,8 +54,8 @@ BodyReference StandController::body_reference() const noexcept {
   return impl_->reference.motion().position();
 }
 ReachStatus StandController::reach() const noexcept { return impl_->reference.motion().status(); }
-void StandController::give_up_leg(int leg) noexcept {
-  if (leg >= 0 && leg < kLegs && lost_leg() < 0) impl_->reference.give_up_leg(leg);
+void StandController::declare_leg_lost(int leg) noexcept {
+  if (leg >= 0 && leg < kLegs && lost_leg() < 0) impl_->reference.declare_leg_lost(leg);
 }
 int StandController::lost_leg() const noexcept { return impl_->reference.lost_leg(); }
 double StandController::capture_margin_without(int leg) const noexcept {

@@ -75,7 +75,7 @@ void Supervisor::Impl::judge_legs() noexcept {
     // Both comparisons are false for NaN, so the leg is kept.
     const bool quiet = push <= kMaxPush * kGravity * robot.mass();
     if (!quiet || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
-    stand.give_up_leg(leg);
+    stand.declare_leg_lost(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);
     return;

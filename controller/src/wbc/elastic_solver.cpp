@@ -58,7 +58,7 @@ ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double to
 void ElasticSolver::reset() noexcept {
   hard_solver_.reset();
   elastic_solver_.reset();
-  slack_active_ = false;
+  elastic_mode_ = false;
   ticks_without_slack_ = 0;
 }
 
@@ -77,7 +77,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
                               double curvature, const Budget& budget) noexcept {
   int spent = 0;
   used_elastic_ = false;
-  if (!slack_active_) {
+  if (!elastic_mode_) {
     QpResult result = hard_solver_.solve(problem, budget.hard, Feasibility::kDoubtful);
     if (result.status == Status::kNonFinite) return result;
     if (result.status == Status::kOk && within_penalty(penalty)) {
@@ -144,7 +144,7 @@ QpResult ElasticSolver::solve_elastic(int budget) noexcept {
   slack_ = elastic_solver_.x().tail(rows_.groups);
   const bool has_slack = slack_.maxCoeff() > kMinSlack || result.status != Status::kOk;
   ticks_without_slack_ = has_slack ? 0 : ticks_without_slack_ + 1;
-  slack_active_ = ticks_without_slack_ < kTicksWithoutSlack;
+  elastic_mode_ = ticks_without_slack_ < kTicksWithoutSlack;
   return result;
 }
 

@@ -51,7 +51,7 @@ class ElasticSolver {
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
   /// Return whether the next solve starts with the elastic QP: a slack was nonzero in the last ten
   /// solves.
-  bool slack_active() const noexcept { return slack_active_; }
+  bool elastic_mode() const noexcept { return elastic_mode_; }
   /// Return the QP that was solved last: `problem`, or the elastic QP with slacks.
   const QpProblem& solved_problem(const QpProblem& problem) const noexcept {
     return used_elastic_ ? elastic_ : problem;
@@ -76,7 +76,7 @@ class ElasticSolver {
   QpProblem elastic_;
   QpSolver hard_solver_, elastic_solver_;
   Eigen::VectorXd x_, slack_, group_multipliers_, start_multipliers_;
-  bool slack_active_ = false;
+  bool elastic_mode_ = false;
   bool used_elastic_ = false;
   int ticks_without_slack_ = 0;
 };

@@ -100,7 +100,7 @@ const QpProblem& WholeBodySolver::solved_problem() const noexcept {
 
 void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const QpTerms& terms,
                             Solution& out) noexcept {
-  const StageScope stage(Stage::kProgram);
+  const StageScope stage(Stage::kQpAssembly);
   const bool condensed = form_ == QpForm::kCondensed;
   if (condensed && !terms.has_condensed) {
     out.status = Status::kSingular;
@@ -131,7 +131,7 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
 
 void WholeBodySolver::solve_cold(const Dynamics& dynamics, const QpTerms& terms,
                                  Solution& out) noexcept {
-  const StageScope stage(Stage::kProgram);
+  const StageScope stage(Stage::kQpAssembly);
   elastic().set_tolerance(kRelaxed * tolerance_);
   take_result(elastic().solve_cold(problem(), penalty_, curvature_), dynamics, terms, out);
 }

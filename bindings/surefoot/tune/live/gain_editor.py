@@ -27,9 +27,10 @@ class GainEditor:
 
     Attributes:
         robot_gains: The robot's own gains.
-        version: Number of changes of the gains. When it grows, the controller needs the new gains.
-        revision: Number of events after which the sliders must be updated: refused changes, and
-            changes without a slider (undo, file, A or B).
+        gains_version: Number of changes of the gains. When it grows, the controller needs the new
+            gains.
+        slider_version: Number of events after which the sliders must be updated: refused changes,
+            and changes without a slider (undo, file, A or B).
         slots: Stored gains, by "A" and "B".
     """
 
@@ -45,7 +46,7 @@ class GainEditor:
         self._check, self._clock = check, now
         self._history: list[Gains] = []
         self._last_change: tuple[str, float] = ("", 0.0)
-        self.version = self.revision = 0
+        self.gains_version = self.slider_version = 0
         self.slots: dict[str, Gains] = {}
         self._validate(self._gains)
 
@@ -69,7 +70,7 @@ class GainEditor:
             set_gain(gains, name, value)
             self._validate(gains)
         except Exception:
-            self.revision += 1  # sliders must show the old value again
+            self.slider_version += 1  # sliders must show the old value again
             raise
         if gains == self._gains:
             return
@@ -78,7 +79,7 @@ class GainEditor:
             self._save_history()
         self._last_change = (name, self._clock())
         self._gains = gains
-        self.version += 1
+        self.gains_version += 1
 
     def replace(self, gains: Gains) -> None:
         """Replace all gains; if one is not permitted, raise Error without any change."""
@@ -122,8 +123,8 @@ class GainEditor:
 
     def _set_gains(self, gains: Gains) -> None:
         self._gains, self._last_change = gains, ("", 0.0)
-        self.version += 1
-        self.revision += 1
+        self.gains_version += 1
+        self.slider_version += 1
 
 
 def differences(first: Gains, second: Gains) -> dict[str, tuple[float, float]]:

@@ -47,14 +47,14 @@ class GainPanel:
         self._add_files()
         self._text = gui.add_markdown("")
         self._sliders = GainSliders(gui, editor, post, gain_limiter)
-        self._version = -1
+        self._gains_version = -1
         self.refresh()
 
     def refresh(self) -> None:
         """Show the present gains."""
         self._sliders.refresh()
-        if self._editor.version != self._version:
-            self._version = self._editor.version
+        if self._editor.gains_version != self._gains_version:
+            self._gains_version = self._editor.gains_version
             self._text.content = changes_text(self._editor)
 
     def _add_history(self) -> None:
@@ -94,7 +94,7 @@ class GainPanel:
     def _store(self, slot: str) -> None:
         self._editor.store(slot)
         self._notifier.show_done(f"stored as {slot}")
-        self._version = -1  # refresh() then updates the text that compares A and B
+        self._gains_version = -1  # refresh() then updates the text that compares A and B
 
     def _save(self, name: str) -> None:
         path = self._files.save(name, self._editor.gains, "Found with surefoot tune live.")

@@ -10,10 +10,10 @@ import viser
 from surefoot._core import GainInfo, gain_table, get_gain
 from surefoot.tune.live.gain_editor import GainEditor
 from surefoot.tune.live.gain_limiter import GainLimiter
-from surefoot.tune.live.slider_range import ZOOMS, SliderRange, rounded_range, slider_range
+from surefoot.tune.live.slider_range import RANGE_FACTORS, SliderRange, rounded_range, slider_range
 
 _EXPANDED_GROUP = "Body"  # group whose folder is open when the page loads
-_INITIAL_ZOOM = "x 4"
+_INITIAL_RANGE = "x 4"
 
 
 class GainSliders:
@@ -34,10 +34,10 @@ class GainSliders:
         gain_limiter: GainLimiter | None = None,
     ) -> None:
         self._gui, self._editor, self._post, self._gain_limiter = gui, editor, post, gain_limiter
-        self._revision = editor.revision
-        self._zoom = ZOOMS[_INITIAL_ZOOM]
+        self._slider_version = editor.slider_version
+        self._range_factor = RANGE_FACTORS[_INITIAL_RANGE]
         if gain_limiter is None:
-            self._add_zoom()
+            self._add_range_choice()
         self._sliders: dict[str, viser.GuiSliderHandle[float]] = {}
         groups: dict[str, list[GainInfo]] = {}
         for info in gain_table():
@@ -49,23 +49,23 @@ class GainSliders:
 
     def refresh(self) -> None:
         """Update the sliders after a change without a slider (undo, file, A or B) or a refusal."""
-        if self._editor.revision == self._revision:
+        if self._editor.revision == self._slider_version:
             return
-        self._revision = self._editor.revision
+        self._slider_version = self._editor.revision
         for info in gain_table():
             value = self._editor.get(info.name)
             self._update_range(info, value)
             _set_slider(self._sliders[info.name], value)
 
-    def _add_zoom(self) -> None:
+    def _add_range_choice(self) -> None:
         hint = "upper end of the sliders, in multiples of the robot's own gains"
         choice = self._gui.add_dropdown(
-            "slider reach", tuple(ZOOMS), initial_value=_INITIAL_ZOOM, hint=hint
+            "slider reach", tuple(RANGE_FACTORS), initial_value=_INITIAL_RANGE, hint=hint
         )
 
         @choice.on_update
         def _(_: Any) -> None:
-            self._zoom = ZOOMS[choice.value]
+            self._range_factor = RANGE_FACTORS[choice.value]
             for info in gain_table():
                 self._update_range(info, self._editor.get(info.name))
 
@@ -104,7 +104,9 @@ class GainSliders:
     def _range(self, info: GainInfo, value: float) -> SliderRange:
         if self._gain_limiter is not None:
             return rounded_range(*self._gain_limiter.limits(info.name), value)
-        return slider_range(info, get_gain(self._editor.robot_gains, info.name), value, self._zoom)
+        return slider_range(
+            info, get_gain(self._editor.robot_gains, info.name), value, self._range_factor
+        )
 
 
 def _set_slider(slider: Any, value: float) -> None:

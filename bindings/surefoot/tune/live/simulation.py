@@ -59,7 +59,7 @@ class Simulation:
         self.plant: Plant
         self.score: PushScore
         self._state: LowState
-        self._version: int
+        self._gains_version: int
         self._tau_max: Array
         self._start_stand(plant, plant.reset())
 
@@ -79,8 +79,8 @@ class Simulation:
 
     def tick(self) -> None:
         """Advance by one control period: update the controller, then the plant."""
-        if self.editor.version != self._version:
-            self._version = self.editor.version
+        if self.editor.gains_version != self._gains_version:
+            self._gains_version = self.editor.gains_version
             self.controller.set_gains(self.editor.gains)
         start = thread_time()  # CPU time of this thread, without waiting for other threads
         command = self.controller.update(self._state)
@@ -158,7 +158,7 @@ class Simulation:
         self.controller.set_body_reference(body_reference(self._reference))
         self.plant = plant
         self._state = state
-        self._version = self.editor.version
+        self._gains_version = self.editor.gains_version
         self._tau_max = np.array(plant.robot.config.tau_max)
         self.score = PushScore(plant)
         self.update_view()

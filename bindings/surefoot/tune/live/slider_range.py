@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from surefoot._core import GainInfo
 
-ZOOMS = {"x 2": 2.0, "x 4": 4.0, "x 10": 10.0, "x 100": 100.0}
+RANGE_FACTORS = {"x 2": 2.0, "x 4": 4.0, "x 10": 10.0, "x 100": 100.0}
 """Upper end of a slider as a multiple of the robot's own value, by its label on the page. A larger
-"zoom" is a larger range; the page calls it "slider reach"."""
+factor is a larger range; the page calls the factor "slider reach"."""
 # Chosen for the page: a person can set such a slider with the mouse.
 _ZERO_GAIN_REACH = 0.25  # used in place of the robot's own value if that is zero
 _MIN_STEPS = 100  # smallest number of steps of a slider
@@ -25,19 +25,19 @@ class SliderRange:
     digits: int
 
 
-def slider_range(info: GainInfo, own: float, value: float, zoom: float) -> SliderRange:
+def slider_range(info: GainInfo, own: float, value: float, range_factor: float) -> SliderRange:
     """Return a slider range from the gain's minimum to a multiple of the robot's own value.
 
-    The ranges in gain_table() span up to eight decades, too much for a slider. A larger `zoom`
-    gives a larger range. The number box of the slider accepts exact values.
+    The ranges in gain_table() span up to eight decades, too much for a slider. A larger
+    `range_factor` gives a larger range. The number box of the slider accepts exact values.
 
     Args:
         info: The gain.
         own: The robot's own value.
         value: Present value; the range always includes it.
-        zoom: One of ZOOMS.
+        range_factor: One of RANGE_FACTORS.
     """
-    high = min(info.maximum, (own or _ZERO_GAIN_REACH) * zoom)
+    high = min(info.maximum, (own or _ZERO_GAIN_REACH) * range_factor)
     high = max(high, value)
     return rounded_range(info.minimum, high, value)
 

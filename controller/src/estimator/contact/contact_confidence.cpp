@@ -49,7 +49,7 @@ constexpr double kAgreementGain = 3.0;
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
-constexpr int kNoSlip = static_cast<int>(ContactSource::kNoSlip);
+constexpr int kFootMotion = static_cast<int>(ContactSource::kFootMotion);
 
 // Return the evidence of the motion of a foot: only votes against contact. A foot at rest is no
 // evidence of contact, because a foot may be at rest in the air.
@@ -86,7 +86,7 @@ void ContactConfidence::update(const Gains& gains, const ContactSignals& all, do
     const double load = torques ? signals.torque_load[leg] : NAN;
     foot.evidence[kTau] = {torques ? load_vote(gains, load, 0.0, foot.loaded) : 0.0,
                            signals.tau_est};
-    foot.evidence[kNoSlip] = motion_evidence(signals.speed[leg], signals.clearance[leg]);
+    foot.evidence[kFootMotion] = motion_evidence(signals.speed[leg], signals.clearance[leg]);
     const ContactEvidence& est = foot.evidence[kEst] =
         foot_force_est_evidence(gains, signals, leg, dt);
     // Torques calibrate footForce; without torques, footForceEst calibrates it. While torques and
@@ -119,7 +119,7 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
       std::abs(load - tau_load) > std::max(kMaxLoadDifference, 0.5 * std::abs(tau_load));
   const bool opposite = load > 2.0 * gains.contact_force_on && tau_load < 0.0;
   const bool confirmed =
-      foot.evidence[kNoSlip].vote < -kConfirmingVote ||
+      foot.evidence[kFootMotion].vote < -kConfirmingVote ||
       foot.evidence[kCount].vote * (load - tau_load) > kConfirmingVote * kMaxLoadDifference;
   const bool contradicts = (far || opposite) && !confirmed;
   const double step = contradicts ? dt : -kRecoveryRate * dt;
@@ -149,7 +149,7 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
     if (source.verdict != SensorVerdict::kGood || source.vote == 0.0) continue;
     vote_sum += weights[k] * source.vote;
     weight_sum += weights[k];
-    if (k == kNoSlip) continue;
+    if (k == kFootMotion) continue;
     force_sum += weights[k] * source.vote;
     force_weight += weights[k];
   }

@@ -69,7 +69,7 @@ void LegFolding::restart(const Vector12& measured, const Vector3& up) noexcept {
 
 // The references follow the measured angles, so the springs have no deflection and the motors only
 // damp. The body then sinks to the ground.
-void LegFolding::release_legs(const Vector12& measured, const Vector3& up, double dt) noexcept {
+void LegFolding::relax_legs(const Vector12& measured, const Vector3& up, double dt) noexcept {
   reference_.q += dt / (dt + kReleaseTime) * (measured - reference_.q);
   reference_.dq.setZero();
   restart(measured, up);
@@ -160,7 +160,7 @@ const JointReference& LegFolding::step(const Vector12& measured, const Vector3& 
                                        double dt) noexcept {
   rollover_.update(up, dt);
   if (rollover_.releases_legs()) {
-    release_legs(measured, up, dt);
+    relax_legs(measured, up, dt);
     return reference_;
   }
   time_ += dt;

@@ -83,7 +83,7 @@ class LegFolding {
   };
 
   void restart(const Vector12& measured, const Vector3& up) noexcept;
-  void release_legs(const Vector12& measured, const Vector3& up, double dt) noexcept;
+  void relax_legs(const Vector12& measured, const Vector3& up, double dt) noexcept;
   int most_catches() const noexcept;  // largest number of catches of any leg
   void step_leg(int leg, const Vector12& measured, double dt) noexcept;
   FoldingOrder::Leg order_input(int leg, const Vector12& measured) const noexcept;
