@@ -15,7 +15,7 @@ SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
   "nanobind>=2.9,<4" "casadi==3.8.2" "cmake>=3.22" "ninja>=1.11"
 
-.PHONY: install stand test tests-cpp check generate lint sanitize fuzz clean
+.PHONY: install stand test docs tests-cpp check generate lint sanitize fuzz clean
 
 .venv/.tools: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -48,12 +48,27 @@ stand: install
 STALL_TOLERANT = rm -f build/stall_tolerant_clock; STALL_TOLERANT_CLOCK=$(CURDIR)/build/stall_tolerant_clock \
   LD_PRELOAD=$(CURDIR)/$(BUILD)/tests/cpp/libstall_tolerant_clock.so
 
+# The site's packages; Doxygen too, where apt and its rights are there.
+.venv/.docs: .venv/.tools pyproject.toml
+	$(BIN)/python -m pip install -q --group docs
+	@if ! command -v doxygen > /dev/null && command -v apt-get > /dev/null && [ "$$(id -u)" = 0 ]; then \
+	  (apt-get -qq update && apt-get -qq install -y --no-install-recommends doxygen) \
+	    > .venv/doxygen.log 2>&1 || echo "doxygen not installed (.venv/doxygen.log)"; \
+	fi
+	touch $@
+
+# The documentation site, out/docs/index.html, and every code block of its pages. The blocks keep
+# real time over UDP: they need the machine for themselves.
+docs: install .venv/.docs
+	$(BIN)/python docs/tools/build_site.py
+	$(BIN)/python docs/tools/run_blocks.py
+
 tests-cpp: install
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz stall_tolerant_clock
 	cd $(BUILD) && ctest --output-on-failure
 
-test: tests-cpp .venv/.browser
+test: tests-cpp .venv/.browser .venv/.docs
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not real_time"; status=$$?; \
 	  $(STALL_TOLERANT) $(BIN)/python -m pytest -m real_time && exit $$status
 

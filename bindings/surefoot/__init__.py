@@ -15,3 +15,8 @@ __all__ = [
     "load_robot",
     "save_gains",
 ]
+
+# Signatures, messages and pickles then name the public class: surefoot.Gains, not surefoot._core.Gains.
+for _name in __all__:
+    if isinstance(getattr(_core, _name, None), type):
+        getattr(_core, _name).__module__ = __name__

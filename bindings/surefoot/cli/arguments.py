@@ -58,10 +58,11 @@ def parse_arguments(argv: Sequence[str]) -> argparse.Namespace:
         SystemExit: An argument is wrong (status 2, one line on stderr), or --help or --version
             was printed (status 0).
     """
-    return _build_parser().parse_args(_join_negative_values(argv))
+    return build_parser().parse_args(_join_negative_values(argv))
 
 
-def _build_parser() -> _Parser:
+def build_parser() -> argparse.ArgumentParser:
+    """Return the parser of the command with all subcommands."""
     parser = _Parser(
         prog="surefoot",
         description="Whole-body torque control for Unitree quadrupeds.",
