@@ -76,7 +76,7 @@ if shutil.which("doxygen"):
     breathe_default_members = ("members",)
 
 
-def _source_role(name, rawtext, text, lineno, inliner, options=None, content=None):  # noqa: ANN001, ANN202
+def _source_role(name, rawtext, text, lineno, inliner, options=None, content=None):
     """Show the path of a source file; a path that does not exist is an error of the page."""
     if not (ROOT / text).exists():
         message = inliner.reporter.warning(f"source file {text} does not exist", line=lineno)
@@ -84,7 +84,7 @@ def _source_role(name, rawtext, text, lineno, inliner, options=None, content=Non
     return [nodes.literal(rawtext, text, classes=["source-path"])], []
 
 
-def _keep_colons(app, what, name, obj, options, lines) -> None:  # noqa: ANN001
+def _keep_colons(app, what, name, obj, options, lines) -> None:
     """Keep napoleon from taking the text before a colon for the type of an attribute."""
     if what in ("attribute", "property", "data") and lines and ":" in lines[0]:
         lines[:0] = ["..", ""]
@@ -99,7 +99,7 @@ def _run_doxygen() -> None:
     (ROOT / "out" / "doxygen").mkdir(parents=True, exist_ok=True)
     done = subprocess.run(["doxygen", "docs/Doxyfile"], cwd=ROOT, capture_output=True, text=True)
     if done.returncode or done.stderr:
-        print(f"doxygen: {done.stderr.strip()}")
+        raise RuntimeError(f"doxygen: {done.stderr.strip()}")
 
 
 def setup(app: Sphinx) -> None:

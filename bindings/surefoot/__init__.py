@@ -16,7 +16,7 @@ __all__ = [
     "save_gains",
 ]
 
-# Signatures, messages and pickles then name the public class: surefoot.Gains, not surefoot._core.Gains.
+# Signatures, messages and pickles then name the public class, as in surefoot.Gains.
 for _name in __all__:
     if isinstance(getattr(_core, _name, None), type):
         getattr(_core, _name).__module__ = __name__

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -13,7 +14,7 @@ from pathlib import Path
 from types import TracebackType
 
 import surefoot
-from fenced_blocks import REASONS, ROOT, Block
+from fenced_blocks import ROOT, Block
 
 # [s] For one block. Chosen. If smaller: a slow machine fails. If larger: a hang costs time.
 TIMEOUT = 300.0
@@ -60,7 +61,8 @@ class PageRunner:
         trace: TracebackType | None,
     ) -> None:
         for process in [*self._background, *([self._python] if self._python else [])]:
-            os.killpg(process.pid, signal.SIGKILL)
+            with contextlib.suppress(ProcessLookupError):  # it has ended by itself
+                os.killpg(process.pid, signal.SIGKILL)
             process.wait()
 
     def run(self, block: Block) -> None:
@@ -69,7 +71,7 @@ class PageRunner:
         Raises:
             BlockError: It failed.
         """
-        if block.options and not (block.background or block.no_run in REASONS):
+        if block.options and not block.background:
             raise BlockError(f"{block.where}: unknown option {block.options!r} of the fence")
         if block.file_name:
             self._write(block)

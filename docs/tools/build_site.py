@@ -32,13 +32,9 @@ def run_sphinx(builder: str, output: Path) -> list[str]:
     Returns:
         Problems, one line each; empty: none.
     """
-    done = subprocess.run(
-        [sys.executable, "-m", "sphinx", "-b", builder, "-W", "-n", "--keep-going", "-q"]
-        + ["-d", str(output.parent / "doctrees"), "docs", str(output)],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-    )
+    options = ["-W", "-n", "--keep-going", "-q", "-d", str(output.parent / "docs-cache")]
+    command = [sys.executable, "-m", "sphinx", "-b", builder, *options, "docs", str(output)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     lines = [" ".join(line.split()) for line in done.stderr.splitlines()]
     found = []
     for line in lines:

@@ -78,7 +78,7 @@ def _kind(inner: ET.Element) -> str:
 
 
 def _qualified_name(member: ET.Element) -> str:
-    """Return the name of a member; of a function with its parameters, because it may be overloaded."""
+    """Return the name of a member, with parameters if it is a function: it may be overloaded."""
     name = member.findtext("qualifiedname") or f"surefoot::{member.findtext('name')}"
     if member.get("kind") != "function":
         return name

@@ -14,8 +14,8 @@ from error_message_table import table as message_table
 from surefoot.cli.arguments import build_parser
 
 ENUMS = (
-    "Status FallbackLevel Mode Start RequestStatus RiseStage ReachLimit SensorVerdict ContactSource "
-    "FaultReaction"
+    "Status FallbackLevel Mode Start RequestStatus RiseStage ReachLimit SensorVerdict "
+    "ContactSource FaultReaction"
 ).split()
 
 
@@ -60,7 +60,10 @@ def _faults() -> list[str]:
         for info in surefoot.fault_table()
     ]
     header = ("fault", "meaning", "reaction", "detected within [s]", "cleared by")
-    intro = "All faults that the supervisor reports: `surefoot.fault_table()`, or `surefoot faults --names`."
+    intro = (
+        "All faults that the supervisor reports: `surefoot.fault_table()`, or "
+        "`surefoot faults --names`."
+    )
     return ["# Faults", "", intro, "", *_table(header, rows)]
 
 

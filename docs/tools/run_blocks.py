@@ -25,7 +25,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 from block_runner import BlockError, PageRunner
-from fenced_blocks import Block, page_paths, read_blocks
+from fenced_blocks import REASONS, Block, page_paths, read_blocks
 
 MAX_NO_RUN = 10
 
@@ -40,7 +40,7 @@ def run_page(page: Path) -> list[Block]:
     with tempfile.TemporaryDirectory(prefix="surefoot-docs-") as folder:
         with PageRunner(Path(folder)) as runner:
             for block in blocks:
-                if not block.no_run:
+                if block.no_run not in REASONS:
                     runner.run(block)
     return [block for block in blocks if block.no_run]
 
