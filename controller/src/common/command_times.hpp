@@ -3,17 +3,18 @@
 
 namespace surefoot {
 
-// Time limits on old commands and old samples. All parts of the controller use them.
+// Time limits for old commands and old samples, used by all parts of the controller.
 
-/// [s] Longest time for which the last good command is repeated. Chosen. Longer than a cold solve
-/// (5 ms) and than single lost samples. If larger: the robot falls meanwhile. Test:
+/// [s] Longest time for which the last good command is repeated. Chosen longer than a cold solve
+/// (5 ms) and than single lost samples. If larger: the robot falls in the meantime. Test:
 /// test_fault_holds_the_command_for_10_ms_then_latches_damping.
 constexpr double kHoldTime = 0.010;
-/// [s] Time without a sample after which damping is latched. Chosen. Longer than kHoldTime, shorter
-/// than kRobotWatchdogTime. Test: test_silent_robot_is_stale_within_60_ms_at_every_rate.
+/// [s] Time without a sample after which damping is latched. Chosen longer than kHoldTime, and
+/// shorter than kRobotWatchdogTime. Test: test_silent_robot_is_stale_within_60_ms_at_every_rate.
 constexpr double kStaleTime = 0.020;
-/// [s] Time without a command after which a robot damps by itself; the controller then damps too.
-/// Assumed for the vendor's firmware; the virtual robot does the same (docs/faults.md).
+/// [s] Time without a command after which a robot damps by itself. After a gap of this length the
+/// controller latches damping too. Assumed for the vendor's firmware; the virtual robot does the
+/// same (docs/faults.md).
 constexpr double kRobotWatchdogTime = 0.100;
 
 }  // namespace surefoot

@@ -10,7 +10,7 @@ namespace surefoot {
 
 std::string to_text(double value) {
   char buffer[40];
-  // Use the smallest number of digits that reads back as the same number.
+  // Use the smallest number of digits that converts back to the same number.
   for (int digits = 6; digits <= 17; ++digits) {
     std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
     if (std::strtod(buffer, nullptr) == value) break;

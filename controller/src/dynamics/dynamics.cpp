@@ -19,7 +19,7 @@ Dynamics::Dynamics(const Robot& robot, Source source)
   } else {
     pinocchio_ = std::make_unique<PinocchioDynamics>(robot);
   }
-  // depth_sign_ makes the depth of all feet positive in the standing pose.
+  // depth_sign_ makes the depth of each foot positive in the standing pose.
   update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
   for (int leg = 0; leg < kLegs; ++leg)
     depth_sign_[leg] = terms_.legs[leg].depth < 0.0 ? -1.0 : 1.0;
@@ -57,7 +57,8 @@ void Dynamics::write_full(FullDynamics& out) const noexcept {
     pinocchio_->write_full(terms_, out);
     return;
   }
-  // Legs couple only through the base. All other blocks have been zero since construction.
+  // Legs are coupled only through the base. All blocks that are not written here have been zero
+  // since construction.
   out.M.topLeftCorner<6, 6>() = terms_.M_base;
   out.h.head<6>() = terms_.h_base;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -13,16 +13,17 @@ class QuadrupedDynamics;
 
 /// Kinematics and dynamics of the robot in one tick: M dv/dt + h = S^T tau + J^T f.
 ///
-/// For a robot of Unitree's shape, generated code computes all terms (QuadrupedDynamics); for other
-/// robots Pinocchio does. Quantities with `_world` in their name, and the contact quantities of the
-/// legs, are in world axes; other base quantities are in base axes, as in Pinocchio's v.
+/// Generated code computes all terms for a robot of Unitree's shape (QuadrupedDynamics); Pinocchio
+/// computes them for other robots. Quantities with `_world` in their name, and the contact
+/// quantities of the legs, are in world axes. Other base quantities are in base axes, as in
+/// Pinocchio's v.
 ///
 /// The contact Jacobian describes a sphere of radius r that rolls on ground with normal n:
 /// J = J_centre + [r n]x J_angular. So the shank can rotate about the foot without a friction
 /// force. Real-time: update() yes.
 class Dynamics {
  public:
-  enum class Source { kAuto, kPinocchio };  ///< kPinocchio: for tests that compare both
+  enum class Source { kAuto, kPinocchio };  ///< kPinocchio: only for tests that compare both
   explicit Dynamics(const Robot& robot, Source source = Source::kAuto);
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
@@ -34,12 +35,12 @@ class Dynamics {
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
               const Vector3& ground_normal) noexcept;
 
-  /// Shift the results to an inertial frame in which the base has this additional position [m] and
-  /// linear velocity [m/s], world axes.
+  /// Shift the results to another inertial frame. There the position of the base is larger by
+  /// p_world [m], and its linear velocity by v_world [m/s], world axes.
   ///
-  /// The estimator calls update() before it knows position and velocity of the base: with the base
+  /// The estimator calls update() before it knows position and velocity of the base, with the base
   /// at the origin and without linear velocity. The equations of motion do not depend on the
-  /// inertial frame, so shift() only changes points and velocities; v_base() does not change.
+  /// inertial frame. So shift() only changes points and velocities; v_base() does not change.
   void shift(const Vector3& p_world, const Vector3& v_world) noexcept;
 
   /// Return whether the model is a free base with four chains of three joints and nothing else. The
@@ -66,9 +67,9 @@ class Dynamics {
   const Vector3& w_base() const noexcept { return terms_.w_base; }
   const Vector3& p_world_base() const noexcept { return terms_.p_world_base; }
   const Vector3& v_world_base() const noexcept { return terms_.v_world_base; }
-  /// Linear velocity of the base that was passed to update(), base axes [m/s]. shift() does not
-  /// change it; h is valid for this velocity. After shift() use v_world_base() for the actual
-  /// value.
+  /// Linear velocity of the base that was passed to update(), base axes [m/s]. h_base() and h_leg
+  /// are valid for this velocity. shift() does not change v_base(): after shift() the actual
+  /// velocity is v_world_base().
   const Vector3& v_base() const noexcept { return terms_.v_base; }
   /// Angular momentum about the centre of mass, world axes [kg.m^2/s].
   const Vector3& L_world_com() const noexcept { return terms_.L_world_com; }
@@ -80,7 +81,7 @@ class Dynamics {
   DynamicsTerms terms_;
   Vector3 a_base_shift_;
   bool condensable_;
-  std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
+  std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};  // see LegDynamics::depth
 };
 
 /// Return the contact points FR FL RR RL, world frame [m]. Real-time: yes.
@@ -90,7 +91,7 @@ inline FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
   return points;
 }
 
-/// Compute the velocities of the contact points by rolling of the spherical feet without slip:
+/// Compute the velocities of the contact points when the spherical feet roll without slip:
 /// w_world_shank x lever, times the contact confidence. Real-time: yes.
 /// @param contact contact confidence per foot, 0 .. 1
 /// @param lever vector from a contact point to the centre of its foot, world axes [m]

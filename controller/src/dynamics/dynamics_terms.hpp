@@ -13,13 +13,15 @@ using Matrix36 = Eigen::Matrix<double, 3, 6>;
 /// Terms of one leg in the equations of motion, and its contact point. Positions, velocities and
 /// accelerations of the contact point are in world axes.
 struct LegDynamics {
-  Vector3 p_world_contact;   ///< [m] foot centre minus radius times ground normal
-  Vector3 v_world_contact;   ///< [m/s] velocity of the foot's material point there; zero in rolling
-  Vector3 w_world_shank;     ///< [rad/s] angular velocity of the body to which the foot belongs
-  Matrix3 joint_axes_world;  ///< columns: joint axes of the leg
+  Vector3 p_world_contact;  ///< [m] foot centre minus radius times ground normal
+  /// [m/s] Velocity of the foot's material point at the contact; zero if the foot rolls.
+  Vector3 v_world_contact;
+  /// [rad/s] Angular velocity of the shank, the body to which the foot belongs.
+  Vector3 w_world_shank;
+  Matrix3 joint_axes_world;  ///< columns: axes of the leg's joints
   Matrix36 J_base;           ///< Jacobian from the base twist (base axes) to the contact velocity
   Matrix3 J_leg;             ///< Jacobian from the leg's joint velocities to the contact velocity
-  /// [m/s^2] Acceleration of the contact point at zero generalised acceleration, for constant
+  /// [m/s^2] Acceleration of the contact point at zero generalised acceleration, for a constant
   /// ground normal n: a_centre + r n x alpha_shank.
   Vector3 drift;
   Matrix63 M_base_leg;  ///< block of the mass matrix: base rows, columns of the leg

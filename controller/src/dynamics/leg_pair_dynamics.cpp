@@ -24,7 +24,7 @@ double* write_joint(const Robot& robot, int motor, double* out) {
   return out;
 }
 
-// View of the values of one leg in an array of LegPair; matrices are stored by columns.
+// View of the values of one leg in an array of LegPair. Matrices are stored by columns.
 struct LegLane {
   const LegPair* results;
   int lane;

@@ -28,7 +28,7 @@ class LegPairDynamics {
   void sum_over_legs(double (&sums)[leg_code::kShared]) const noexcept;
 
   /// Write the results of a leg to out.legs[leg].
-  /// @param out in and out; R_world_base, p_world_base and w_base must be set
+  /// @param out in and out: R_world_base, p_world_base and w_base must be set before
   void read_leg(int leg, DynamicsTerms& out) const noexcept;
 
  private:

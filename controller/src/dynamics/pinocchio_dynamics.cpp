@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-// The condensed form needs the blocks of each leg contiguous in the mass matrix, and no joints
-// besides the legs.
+// The condensed form requires that the entries of each leg are adjacent in the mass matrix, and
+// that there are no joints outside the legs.
 bool has_three_joint_legs(const Robot& robot) noexcept {
   const auto& model = robot.model();
   if (model.nv != 6 + kMotors || model.nq != 7 + kMotors) return false;
@@ -25,7 +25,7 @@ bool has_three_joint_legs(const Robot& robot) noexcept {
 
 bool has_standard_gravity(const Robot& robot) noexcept {
   const Vector3 gravity = robot.model().gravity.linear();
-  // [m/s^2] Numerical: a rounded 9.81.
+  // [m/s^2] Numerical: accepts a rounded 9.81.
   return (gravity + kGravity * Vector3::UnitZ()).norm() <= 1e-6;
 }
 
@@ -79,8 +79,8 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   const auto& placement = data.oMi[frame.parentJoint];
   const int* column = &robot_.motor_to_v()[3 * leg];
 
-  // Contact point and its Jacobian, from the spatial Jacobian about the world origin:
-  // v_p = v_O + w x p.
+  // Contact point and its Jacobian, from the spatial Jacobian about the world origin O: v_p = v_O +
+  // w x p.
   const Vector3 p_centre = placement.act(frame.placement.translation());
   const Vector3 lever = robot_.config().foot_radius * ground_normal;
   out.p_world_contact = p_centre - lever;
@@ -94,7 +94,7 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   }
 
   // Drift: classical acceleration of the foot centre at zero generalised acceleration, plus the
-  // rolling term. Pinocchio's a_gf includes -gravity, so gravity is added.
+  // rolling term. Pinocchio's a_gf includes -gravity; adding gravity removes it.
   const auto& twist = data.v[frame.parentJoint];
   const auto& accel = data.a_gf[frame.parentJoint];
   const Vector3 w = twist.angular();
@@ -108,7 +108,7 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
               lever.cross(placement.rotation() * accel.angular());
 
   for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
-  // If the robot has further joints, the joints of a leg may not be adjacent in v. Only the upper
+  // In a robot with further joints, the joints of a leg may not be adjacent in v. Only the upper
   // triangle of data.M is valid.
   for (int k = 0; k < kLegJoints; ++k) {
     out.M_base_leg.col(k) = data.M.col(column[k]).head<6>();
@@ -117,9 +117,9 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
       out.M_leg(j, k) = data.M(first, second);
     }
   }
-  // The first column of J_leg is (hip axis) x (vector from the hip axis to the contact point). The
-  // component of this column along the thigh axis is the depth of the contact point below the hip
-  // axis; det(J_leg) is proportional to it.
+  // The first column of J_leg is (hip axis) x (vector from the hip axis to the contact point). Its
+  // component along the thigh axis is the depth of the contact point below the hip axis; det(J_leg)
+  // is proportional to this depth.
   out.depth = out.J_leg.col(0).dot(out.joint_axes_world.col(1));
 }
 
@@ -130,7 +130,8 @@ void PinocchioDynamics::write_full(const DynamicsTerms& terms, FullDynamics& out
       out.M.transpose().triangularView<Eigen::StrictlyLower>();
   out.h = data.nle;
   out.J.setZero();
-  // Pinocchio's Jacobian refers to the frame of update(); shift() may have moved the points since.
+  // Pinocchio's Jacobian belongs to the frame of update(); shift() may have moved the points since
+  // then.
   const Vector3 shift = terms.p_world_base - data.oMi[1].translation();
   for (int leg = 0; leg < kLegs; ++leg) {
     const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;

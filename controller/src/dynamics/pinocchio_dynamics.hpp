@@ -14,7 +14,7 @@ bool has_three_joint_legs(const Robot& robot) noexcept;
 /// Return whether the gravity of the model is (0, 0, -9.81) m/s^2.
 bool has_standard_gravity(const Robot& robot) noexcept;
 
-/// Dynamics of a robot of any shape, by Pinocchio's crba() and nonLinearEffects().
+/// Dynamics of a robot of any shape, computed by Pinocchio's crba() and nonLinearEffects().
 ///
 /// Real-time: all functions except the constructor.
 class PinocchioDynamics {
@@ -30,7 +30,7 @@ class PinocchioDynamics {
               DynamicsTerms& out) noexcept;
 
   /// Write the full matrices of the last update().
-  /// @param terms result of that update(); it may have been shifted since
+  /// @param terms result of that update(); shift() may have changed it since then
   void write_full(const DynamicsTerms& terms, FullDynamics& out) const noexcept;
 
  private:

@@ -11,7 +11,7 @@ namespace code = leg_code;
 
 bool QuadrupedDynamics::fits(const Robot& robot) noexcept {
   const auto& model = robot.model();
-  // Numerical: a URDF without rotation gives the identity up to rounding.
+  // Numerical: without rotation in the URDF, R is the identity up to rounding.
   const auto unrotated = [](const Matrix3& R) { return R.isIdentity(1e-12); };
   if (!has_three_joint_legs(robot) || !model.jointPlacements[1].isIdentity(1e-12) ||
       !model.armature.head<6>().isZero(0.0)) {
@@ -48,7 +48,7 @@ void QuadrupedDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& 
 }
 
 // Compute the terms of the whole robot. Inertia, momentum and h are sums over the base body and the
-// four legs, about the base origin, in base axes.
+// four legs, taken about the base origin in base axes.
 void QuadrupedDynamics::assemble_base(const Vector3& g, DynamicsTerms& out) const noexcept {
   double sums[code::kShared];
   legs_.sum_over_legs(sums);
@@ -68,8 +68,8 @@ void QuadrupedDynamics::assemble_base(const Vector3& g, DynamicsTerms& out) cons
   out.M_base.bottomLeftCorner<3, 3>() = cross;
   out.M_base.bottomRightCorner<3, 3>() = inertia;
 
-  // Newton-Euler equation of the base body, f = I a + v x* I v (Featherstone 2008, chapter 2), with
-  // gravity as an upward acceleration.
+  // Newton-Euler equation of the base body, f = I a + v x* I v (Featherstone 2008, chapter 2).
+  // Gravity enters as an upward acceleration.
   const Vector3 &v = out.v_base, &w = out.w_base;
   const Vector3 linear = base_mass_ * v + w.cross(base_mass_lever_);
   const Vector3 angular = base_mass_lever_.cross(v) + base_inertia_ * w;

@@ -7,15 +7,16 @@
 
 namespace surefoot {
 
-/// Dynamics of a quadruped of Unitree's shape, by code generated from Pinocchio's algorithms.
+/// Dynamics of a quadruped of Unitree's shape, computed by code generated from Pinocchio's
+/// algorithms.
 ///
-/// The shape is a free base and four legs with joint axes x (hip), y (thigh), y (calf), without
+/// Such a robot has a free base and four legs with joint axes x (hip), y (thigh), y (calf), without
 /// rotated joint placements. Lengths, masses and inertias are data, so any robot of this shape can
-/// be used. Two legs are evaluated at a time, one in each half of a vector register.
-/// Real-time: update() yes.
+/// be used. Two legs are evaluated at a time, one in each half of a vector register. Real-time:
+/// update() yes.
 class QuadrupedDynamics {
  public:
-  /// Return whether the robot has this shape.
+  /// Return whether the robot has the shape described above.
   static bool fits(const Robot& robot) noexcept;
 
   /// @param robot must satisfy fits()

@@ -9,16 +9,16 @@
 namespace surefoot {
 
 namespace {
-// Largest number of Newton steps. Chosen. If larger: no further solution is found, because each
-// step doubles the number of correct digits.
+// Largest number of Newton steps. Chosen: each step doubles the number of correct digits, so more
+// steps would find no further solution.
 constexpr int kIterations = 6;
-// [m] Foot error below which a solution is accepted. Chosen. Smaller than the encoders' resolution,
-// 6e-6 m.
+// [m] Foot error below which a solution is accepted. Chosen smaller than the resolution of the
+// encoders, 6e-6 m at the foot.
 constexpr double kTolerance = 1e-6;
 // [rad] Largest change of a joint in one step. Chosen. If larger: a leg could fold over.
 constexpr double kMaxJointStep = 0.2;
-// [m^3] Determinant of the leg Jacobian below which the leg is singular. Numerical: with links of
-// 0.2 m determinants are about 0.2^3 = 8e-3.
+// [m^3] A leg with a smaller determinant of its Jacobian is singular. Numerical: with links of
+// 0.2 m the determinant is about 0.2^3 = 8e-3.
 constexpr double kMinDeterminant = 1e-7;
 }  // namespace
 
@@ -48,7 +48,7 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
   q_trial_.segment<4>(3) = R_base.coeffs();
   for (int k = 0; k < kIterations; ++k) {
     const double error = newton_step(centres, lever);
-    if (!(error < 10.0)) return false;  // [m] beyond any robot, or infinite
+    if (!(error < 10.0)) return false;  // [m] larger than any robot, or infinite
     if (error > kTolerance) continue;
     q_ = q_trial_;
     depth_ = depth_trial_;
@@ -58,8 +58,8 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
   return false;
 }
 
-// Do one Newton step for each leg. Return the largest foot error [m] before the step; infinity if a
-// leg is singular.
+// Do one Newton step for each leg. Return the largest foot error [m] before the step, or infinity
+// if a leg is singular.
 double StanceKinematics::newton_step(const FeetMatrix& centres, const Vector3& lever) noexcept {
   auto& [model, data] = *pinocchio_;
   pinocchio::computeJointJacobians(model, data, q_trial_);

@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-/// Inverse kinematics of all four legs for a pose of the base, by Newton's method. The last
-/// solution is the initial guess.
+/// Inverse kinematics of all four legs for a given pose of the base, by Newton's method. The
+/// initial guess is the last solution.
 ///
 /// Pose, contact points and normal must be in one common frame; any frame is valid.
 /// Real-time: solve() yes.
@@ -25,7 +25,7 @@ class StanceKinematics {
   /// Find the joint angles that put the feet at the contact points.
   /// @param contacts contact points FR FL RR RL [m]
   /// @param normal ground normal, unit length
-  /// @return false if a leg cannot reach its contact point; all results are then unchanged
+  /// @return false if a leg cannot reach its contact point; the results then stay unchanged
   bool solve(const Vector3& p_base, const Quaternion& R_base, const FeetMatrix& contacts,
              const Vector3& normal) noexcept;
 

@@ -7,30 +7,30 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time constant of the filter that gives the angular acceleration. Equal to
+// [s] Time constant of the filter that differentiates the angular velocity. Equal to
 // LegForces::kFilterTime.
 constexpr double kRateFilterTime = 0.005;
-// [m/s] Speed of the base above which its motion counts in path_length. Chosen. Larger than the
-// velocity noise of a robot at rest. If larger: slow motion does not count, although the variance
-// of the position grows with path_length (gain leg_scale).
+// [m/s] The motion of the base counts in path_length only above this speed. Chosen larger than the
+// velocity noise of a robot at rest. If larger: slow motion is not counted, although it increases
+// the variance of the position too (gain leg_scale).
 constexpr double kMinTravelSpeed = 0.05;
-// [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen.
-// Larger than the velocity error after a blow that saturates the accelerometer. Test:
+// [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen
+// larger than the velocity error after a blow that saturates the accelerometer. Test:
 // test_estimate_recovers_from_a_saturated_accelerometer.
 constexpr double kVelocitySigma = 1.0;
 // Contact confidence above which a foot counts as a stance foot for FootNoise and for the recovery
-// from rejected feet. Chosen. Larger than 0.5, which is reached half-way through contact_dwell;
-// smaller than 1, which a foot with one dissenting source may never reach.
+// from rejected feet. Chosen larger than 0.5, which is reached half-way through contact_dwell, and
+// smaller than 1, which a foot may never reach if one source disagrees.
 constexpr double kStanceConfidence = 0.9;
-// [rad/s] Angular rate below which the body counts as at rest. Chosen. Larger than bias and noise
-// of the gyroscope (0.02 and 0.01 rad/s by default). If larger: a rotation with centripetal
-// acceleration counts as rest.
+// [rad/s] Angular rate below which the body counts as at rest. Chosen larger than bias and noise of
+// the gyroscope (0.02 and 0.01 rad/s by default). If larger: rotation with centripetal acceleration
+// counts as rest.
 constexpr double kRestRate = 0.2;
-// A robot is supported when both values are exceeded.
-// Load of all feet, as a share of the weight. Chosen. Larger than 0, the load in the air; smaller
-// than 1, the load at rest.
+// The feet carry the robot if both limits are exceeded.
+// Load of all feet, as a share of the weight. Chosen between 0, the load in the air, and 1, the
+// load at rest.
 constexpr double kSupportedShare = 0.4;
-// Sum of the contact confidences. Derived: half-way between two feet and three.
+// Sum of the contact confidences. Derived: half-way between two and three feet.
 constexpr double kMinContactSum = 2.5;
 
 }  // namespace
@@ -61,9 +61,9 @@ FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
   return out;
 }
 
-// Compute kinematics and dynamics with the base at the origin and without linear velocity.
-// correct() shifts the results to the estimated position and velocity. Its correction of the
-// attitude takes effect in the next tick: until then state.q has the predicted attitude.
+// Compute kinematics and dynamics with the base at the origin and without linear velocity;
+// correct() shifts the results to the estimated position and velocity. The attitude in state.q is
+// the predicted one: the correction of the attitude takes effect in the next tick.
 void StateEstimator::Impl::update_dynamics() noexcept {
   if (started) state.q.segment<4>(3) = filter.quaternion().coeffs();  // x y z w
   state.q.head<3>().setZero();
@@ -98,7 +98,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   loads = leg_forces.forces().transpose() * normal / weight;
   signals.torque_load = loads;
   signals.tau_est = torque_check.verdict();
-  signals.foot_force_est = low_state.footForceEst;  // packed: copied
+  signals.foot_force_est = low_state.footForceEst;  // the field is packed, so it is copied
   signals.foot_force = low_state.footForce;
   signals.speed = slip.excess_speed();
   signals.clearance = clearance.clearance();
@@ -127,13 +127,13 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     stance_count += in_stance;
     rejected_count += in_stance && filter.rejected_feet()[leg];
   }
-  // While the IMU repeats old samples, innovations contain motion that the IMU did not measure. The
-  // noise of the feet must not adapt to this motion.
+  // While the IMU repeats old samples, the innovations contain motion that the IMU did not measure.
+  // The noise of the feet must not adapt to this motion.
   const bool fresh = imu.w_age == 1 && imu.f_age <= 2;
   if (fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
-  // When the gate rejects all stance feet, the prediction is wrong and the feet are right: an
-  // impact has saturated the accelerometer. Without more variance the gate would reject the feet
-  // for ever.
+  // If the gate rejects all stance feet, the prediction is wrong and the feet are right: an impact
+  // has saturated the accelerometer. The variance must grow, or the gate would reject the feet for
+  // ever.
   if (stance_count >= 2 && rejected_count == stance_count)
     filter.add_velocity_variance(kVelocitySigma * kVelocitySigma);
 
@@ -150,33 +150,34 @@ void StateEstimator::Impl::correct(double dt) noexcept {
 }
 
 // Return whether the attitude of the filter has diverged, for example because a gyroscope fault was
-// detected too late. The attitude has diverged if, at rest, the IMU quaternion and the
-// accelerometer agree with each other, but the quaternion contradicts the filter.
+// detected too late. It has diverged if the body is at rest, and IMU quaternion and accelerometer
+// agree with each other but the quaternion contradicts the filter.
 bool StateEstimator::Impl::attitude_diverged() const noexcept {
   if (quaternion_check.verdict() != SensorVerdict::kDisagrees || w_filtered.norm() > kRestRate)
     return false;
   return accelerometer_matches_quaternion(imu);
 }
 
-// Return whether the feet carry the robot, and measured or planned joint torques are available.
+// Return whether the feet carry the robot, and joint torques are available, measured or planned.
 bool StateEstimator::Impl::supported() const noexcept {
   const double total_load = (leg_forces.forces().transpose() * normal).sum();
   return (torques_valid() || has_plan) && state.contact.sum() > kMinContactSum &&
          total_load > kSupportedShare * robot.mass() * kGravity;
 }
 
-// Compute the external wrench. PayloadObserver attributes contact forces that the model does not
-// explain to a payload, slowly. PushObserver attributes acceleration that the plan does not explain
-// to a push, quickly. The plan already includes the payload and the push estimated at that time.
+// Compute the external wrench. PayloadObserver slowly attributes the contact forces that the model
+// does not explain to a payload. PushObserver quickly attributes the acceleration that the plan
+// does not explain to a push. The plan already contains the payload and the push that were
+// estimated when it was made.
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   payload.update(gains, dynamics, leg_forces.forces(), supported, dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
-  // Planned classical acceleration of the base origin, base axes. The plan includes the push
-  // estimated at that time (planned_push), but the feet do not cause this part of the acceleration:
-  // a_feet = a - planned_push / m, so a_measured - a_feet = unplanned + planned_push / m.
+  // `a` is the planned classical acceleration of the base origin, base axes. It includes the effect
+  // of planned_push, the push that was estimated when the plan was made. The feet do not cause this
+  // part: a_feet = a - planned_push / m. So a_measured - a_feet = unplanned + planned_push / m.
   const Vector3 a = planned_acceleration.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
   const Vector3 unplanned = dynamics.R_world_base() * (base_acceleration() - a);
   push.update(gains, unplanned + planned_push / robot.mass(), supported, dt);

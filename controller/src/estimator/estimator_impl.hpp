@@ -18,12 +18,12 @@
 
 namespace surefoot {
 
-/// Components of the estimator, and the stages of its tick.
+/// Components of the estimator, and the steps of its tick.
 ///
 /// StateEstimator::update() calls, in this order: read_joints(), imu_reader.read(),
 /// torque_check.update(), initialise() (first sample only), predict(), update_dynamics(),
-/// update_contacts(), correct() and observe_external_wrench(). correct() calls align() and, after a
-/// divergence of the attitude, restart_alignment().
+/// update_contacts(), correct() and observe_external_wrench(). correct() calls align(), and
+/// restart_alignment() if the attitude has diverged.
 struct StateEstimator::Impl {
   explicit Impl(const Robot& r);
 
@@ -40,7 +40,7 @@ struct StateEstimator::Impl {
 
   FootContactState foot_contact_state() const noexcept;
   /// Compute the measured classical acceleration [m/s^2] of the base origin, without gravity, base
-  /// axes. Source: accelerometer, bias removed.
+  /// axes, from the accelerometer minus its estimated bias.
   Vector3 base_acceleration() const noexcept;
   bool torques_valid() const noexcept { return torque_check.verdict() == SensorVerdict::kGood; }
   bool supported() const noexcept;
@@ -72,17 +72,18 @@ struct StateEstimator::Impl {
   Vector12 tau_est = Vector12::Zero();  // [N.m]; tau_est, q and dq are in SDK motor order
   Vector12 q = Vector12::Zero(), dq = Vector12::Zero();
   ImuInput imu_input;
-  // Normal force of each foot / weight of the robot, computed from the joint torques.
+  // Normal force of each foot divided by the robot's weight, computed from the joint torques.
   Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);
-  Vector3 w_base = Vector3::Zero(), w_filtered = Vector3::Zero();  // [rad/s] bias removed
-  Vector3 alpha_base = Vector3::Zero();                            // [rad/s^2] base axes
-  Vector3 normal = Vector3::UnitZ();                               // of the ground, world axes
-  double path_length = 0.0;                                        // [m] path of the base
+  // [rad/s] Base axes, bias removed; low-passed.
+  Vector3 w_base = Vector3::Zero(), w_filtered = Vector3::Zero();
+  Vector3 alpha_base = Vector3::Zero();  // [rad/s^2] base axes
+  Vector3 normal = Vector3::UnitZ();     // ground normal, world axes
+  double path_length = 0.0;              // [m] length of the base's path
   bool started = false, aligned = false;
 };
 
-/// Return whether the accelerometer measures only gravity, in the direction of the vertical that
-/// the IMU quaternion gives.
+/// Return whether the accelerometer measures gravity alone, in the vertical direction that the IMU
+/// quaternion gives.
 bool accelerometer_matches_quaternion(const ImuReading& imu) noexcept;
 
 }  // namespace surefoot

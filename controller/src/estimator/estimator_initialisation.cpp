@@ -9,38 +9,37 @@ namespace surefoot {
 
 namespace {
 
-// [rad] Smallest initial standard deviation of the tilt. Chosen. Equal to kMaxTiltDifference, 3
-// deg.
+// [rad] Smallest initial standard deviation of the tilt, 3 deg. Chosen equal to kMaxTiltDifference.
 constexpr double kMinTiltSigma = 0.05;
-// Largest difference between the norm of the specific force at rest and g, as a share of g. Chosen.
-// Larger than bias and scale error of an accelerometer (start_accelerometer_bias is 0.01 g),
-// smaller than the accelerations of a robot that moves.
+// The accelerometer measures gravity alone if the norm of the specific force differs from g by less
+// than this share of g. Chosen larger than bias and scale error of an accelerometer
+// (start_accelerometer_bias is 0.01 g), and smaller than the accelerations of a moving robot.
 constexpr double kRestTolerance = 0.1;
-// [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen. Larger than
-// 0.6 deg, the tilt error by a bias of 0.1 m/s^2; smaller than 5 deg, kMaxTiltDifference of
-// QuaternionTiltCheck.
+// [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen larger than
+// 0.6 deg, the tilt error that a bias of 0.1 m/s^2 causes, and smaller than 5 deg,
+// kMaxTiltDifference of QuaternionTiltCheck.
 constexpr double kMaxTiltDifference = 0.05;
-// [rad] Standard deviation of the tilt below which the filter estimates biases, 2 deg. Chosen.
-// Smaller than kMinTiltSigma, so that alignment always takes place; larger than 0.6 deg, the tilt
-// error by an accelerometer bias, which is not observable.
+// [rad] The filter estimates biases once the standard deviation of the tilt is below this value,
+// 2 deg. Chosen smaller than kMinTiltSigma, so that alignment always takes place, and larger than
+// 0.6 deg, the tilt error that an unobservable accelerometer bias causes.
 constexpr double kAlignedTiltSigma = 0.035;
 
-// Remove the heading from an attitude: the world frame has the heading of the base at the first
-// sample.
+// Remove the heading from an attitude, because the world frame has the heading of the base at the
+// first sample.
 Quaternion remove_yaw(const Quaternion& R) noexcept {
   const Vector3 x_axis = R * Vector3::UnitX();
   const double yaw = std::atan2(x_axis.y(), x_axis.x());
   return Quaternion(Eigen::AngleAxisd(-yaw, Vector3::UnitZ())) * R;
 }
 
-// Return the attitude without heading that turns the specific force upwards.
+// Return the attitude with zero heading in which the specific force points upwards.
 Quaternion attitude_from_accelerometer(const Vector3& f_base) noexcept {
   if (f_base.norm() < 1.0) return Quaternion::Identity();  // free fall: no vertical
   return Quaternion::FromTwoVectors(f_base, Vector3::UnitZ());
 }
 
-// Compute the angle [rad] between the vertical that an accelerometer at rest measures and the
-// vertical of an attitude.
+// Compute the angle [rad] between two verticals: that of an accelerometer at rest, and that of an
+// attitude.
 double tilt_between(const Vector3& f_base, const Quaternion& R) noexcept {
   const Vector3 up = attitude_from_accelerometer(f_base).conjugate() * Vector3::UnitZ();
   return std::acos(std::clamp(up.dot(R.conjugate() * Vector3::UnitZ()), -1.0, 1.0));
@@ -88,14 +87,14 @@ void StateEstimator::Impl::reset() noexcept {
   normal = Vector3::UnitZ();
 }
 
-// Start the filter. Its point is the IMU point, because the accelerometer measures there. World
-// z = 0 is the mean height of the feet. The base velocity is the one at which the feet are at rest
-// on average.
+// Start the filter. Its position is that of the IMU point, because the accelerometer measures
+// there. World z = 0 is the mean height of the feet. The base velocity is chosen so that the mean
+// velocity of the feet is zero.
 void StateEstimator::Impl::initialise() noexcept {
   Quaternion R =
       remove_yaw(imu.has_quaternion ? imu.R_world_base : attitude_from_accelerometer(imu.f_base));
-  // A quaternion that the robot does not fill, (1, 0, 0, 0), has unit length too. So at rest the
-  // accelerometer replaces a quaternion whose tilt differs by more than start_tilt.
+  // If the robot does not fill the quaternion, it is (1, 0, 0, 0) and has unit length too. So at
+  // rest the accelerometer replaces a quaternion whose tilt differs by more than start_tilt.
   if (measures_gravity(imu.f_base) && tilt_between(imu.f_base, R) > gains.start_tilt)
     R = attitude_from_accelerometer(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();
@@ -109,7 +108,8 @@ void StateEstimator::Impl::initialise() noexcept {
   }
   const Vector3 arm = R * robot.config().p_base_imu;
   const Vector3 origin(0.0, 0.0, -p_feet.row(2).mean());
-  // The difference between quaternion and accelerometer measures the uncertainty of the tilt.
+  // The difference between quaternion and accelerometer is a measure of the uncertainty of the
+  // tilt.
   const double tilt_difference = tilt_between(imu.f_base, R);
   const InitialSigmas sigmas{std::min(std::max(tilt_difference, kMinTiltSigma), gains.start_tilt),
                              gains.start_velocity, gains.noise_foot_position, 0.0, 0.0};
@@ -121,9 +121,9 @@ void StateEstimator::Impl::initialise() noexcept {
   aligned = false;
 }
 
-// Reset the covariance with uncertain biases, once accelerometer and legs have determined the tilt.
-// Until then the biases have no variance: the filter cannot distinguish a large attitude error from
-// a bias, and would estimate a wrong bias with a small variance.
+// Once accelerometer and legs have determined the tilt, reset the covariance with uncertain biases.
+// Until then the biases have zero variance: the filter cannot distinguish a large attitude error
+// from a bias, and would estimate a wrong bias with a small variance.
 void StateEstimator::Impl::align() noexcept {
   const auto& P = filter.covariance();
   if (aligned || P(0, 0) + P(1, 1) > kAlignedTiltSigma * kAlignedTiltSigma) return;
@@ -132,8 +132,8 @@ void StateEstimator::Impl::align() noexcept {
   aligned = true;
 }
 
-// Restore the initial uncertainty and discard the biases, because a wrong attitude has made them
-// wrong too.
+// Restore the initial uncertainty, and discard the biases: a wrong attitude has made them wrong
+// too.
 void StateEstimator::Impl::restart_alignment() noexcept {
   filter.reset_biases();
   filter.reset_covariance(

@@ -8,9 +8,8 @@
 namespace surefoot {
 
 namespace {
-// [s] Longest time step that one sample can describe. Chosen. Longer than 0.01 s, the period at 100
-// Hz; not longer than 0.1 s, the time without a sample after which the controller damps
-// (kRobotWatchdogTime).
+// [s] Longest time step for one sample. Chosen longer than 0.01 s, the period at 100 Hz, and at
+// most 0.1 s, the time without a sample after which the controller damps (kRobotWatchdogTime).
 constexpr double kMaxTimeStep = 0.1;
 }  // namespace
 
@@ -40,7 +39,7 @@ bool StateEstimator::adopt_gains(const Gains& gains) noexcept {
 
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept {
   // With another ground normal, a foot touches the ground at another point of its sphere. So the
-  // contact points move, although the feet stay where they are.
+  // contact points move, although the feet do not.
   const Vector3 displacement = -impl_->robot.config().foot_radius * (normal - impl_->normal);
   if (impl_->started) impl_->filter.move_feet(displacement.replicate<1, kLegs>());
   impl_->normal = normal;

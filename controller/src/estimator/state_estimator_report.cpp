@@ -7,9 +7,9 @@ namespace {
 
 using Covariance = Eigen::Matrix<double, 15, 15>;
 
-// Convert the covariance of the filter's error xi, which is on the group and for the IMU point, to
-// the covariance of plain errors of the base. For a vector x of the state, to first order:
-// x_estimate - x = xi_x + xi_R x x.
+// Convert the covariance of the filter's error xi to the covariance of plain errors of the base; xi
+// is the error on the group, of the IMU point. To first order, a vector x of the state has the
+// error x_estimate - x = xi_x + xi_R x x.
 Covariance base_covariance(const InvariantFilter& filter, const Vector3& p_base,
                            const Vector3& v_base, const Vector3& p_base_imu) noexcept {
   constexpr int kParts[] = {error_index::kRotation, error_index::kVelocity, error_index::kPosition,

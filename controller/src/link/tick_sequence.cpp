@@ -6,15 +6,16 @@
 namespace surefoot {
 
 namespace {
-// Number of old samples in a row that show a restart. Chosen: fewer could be reordered samples;
+// Number of consecutive old samples that show a restart. Chosen: fewer could be reordered samples;
 // more would leave the robot without control for longer than 10 ms at 500 Hz. Test:
 // test_tick_sequence.cpp.
 constexpr int kRestartSamples = 5;
-// [s] Smallest mean spacing of the arrivals of these samples, per millisecond of LowState::tick.
-// Derived: half of the true spacing of 1 ms. Late samples in a burst arrive closer together.
+// [s] Smallest mean time between the arrivals of these samples, per millisecond of LowState::tick.
+// Derived: half of the true time, 1 ms. Late samples in a burst arrive faster.
 constexpr double kMinTickDuration = 0.5e-3;
-// Number of equal steps in a row that set a new period. Chosen: fewer could come from single lost
-// samples; with more, lost samples would be miscounted for longer. Test: test_tick_sequence.cpp.
+// Number of consecutive equal steps that set a new period. Chosen: fewer could come from single
+// lost samples; with more, lost samples would be miscounted for longer. Test:
+// test_tick_sequence.cpp.
 constexpr int kStepsToShortenPeriod = 2, kStepsToLengthenPeriod = 8;
 }  // namespace
 
@@ -60,7 +61,7 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
   }
   behind_count_ = rising ? behind_count_ + 1 : 1;
   behind_tick_ = tick;
-  // The old samples arrive at the pace of the robot's clock, not in a burst.
+  // True if the old samples arrive at the pace of the robot's clock and not in a burst.
   const bool paced = time - behind_start_time_ >= kMinTickDuration * (tick - behind_first_tick_);
   if (behind_count_ >= kRestartSamples && (paced || !recent)) {
     begin(tick);

@@ -6,14 +6,14 @@
 
 namespace surefoot {
 
-/// Classifies samples by LowState::tick, and counts lost ones. Real-time: yes.
+/// Classifies samples by LowState::tick, and counts lost samples. Real-time: yes.
 ///
 /// LowState::tick counts milliseconds of the robot's clock. The period of the samples is learnt: it
 /// is the difference between successive ticks, once the same difference has occurred several times
-/// in a row. Five rising ticks in a row, all older than the newest, mean that the robot has
-/// restarted. Ticks less than about 1 s older than the newest may also belong to late samples that
-/// the network delivers in a burst. Such samples count as a restart only if they also arrive at the
-/// pace of the robot's clock.
+/// in a row. The robot has restarted if five consecutive samples have increasing ticks that are all
+/// older than the newest tick. But ticks that are less than about 1 s older can also come from late
+/// samples, which the network delivers in a burst. So such samples count as a restart only if they
+/// also arrive at the pace of the robot's clock.
 class TickSequence {
  public:
   enum class Arrival { kNewer, kDuplicate, kReordered, kRestarted };
@@ -23,30 +23,30 @@ class TickSequence {
   /// @param time arrival time of the sample [s], on any steady clock
   Arrival classify(std::uint32_t tick, double time) noexcept;
 
-  /// Return the number of samples lost since the first call of classify().
+  /// Return the number of samples that have been lost since the first call of classify().
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:
   void begin(std::uint32_t tick) noexcept;
   Arrival classify_ahead(std::uint32_t step) noexcept;
-  // @param behind distance of `tick` behind the newest tick [ms]
+  // @param behind how much `tick` is older than the newest tick [ms]
   Arrival classify_behind(std::uint32_t tick, std::uint32_t behind, double time) noexcept;
   void update_period(std::uint32_t step) noexcept;
 
-  // [ms] Length of the window of remembered ticks. Chosen: about 1 s. Older samples cannot be
-  // distinguished from a restart.
+  // [ms] Length of the window of remembered ticks. Chosen: about 1 s. Samples older than this
+  // cannot be distinguished from samples after a restart.
   static constexpr std::size_t kWindow = 1024;
 
   bool started_ = false;
   std::uint32_t newest_tick_ = 0;
-  std::bitset<kWindow> received_;        // bit k: newest_tick_ - k has arrived
+  std::bitset<kWindow> received_;        // bit k: the sample with tick newest_tick_ - k has arrived
   std::uint32_t period_ = 0;             // [ms] period of the samples; 0: not known yet
   std::uint32_t step_ = 0;               // [ms] last difference of successive ticks
-  int step_repeats_ = 0;                 // number of equal differences in a row
-  std::uint32_t behind_tick_ = 0;        // [ms] last tick of the present row of old samples
-  int behind_count_ = 0;                 // number of samples in that row
-  std::uint32_t behind_first_tick_ = 0;  // [ms] first tick of that row
-  double behind_start_time_ = 0.0;       // [s] arrival time of the first sample of that row
+  int step_repeats_ = 0;                 // number of consecutive equal differences
+  std::uint32_t behind_tick_ = 0;        // [ms] last tick of the present series of old samples
+  int behind_count_ = 0;                 // number of samples in this series
+  std::uint32_t behind_first_tick_ = 0;  // [ms] first tick of this series
+  double behind_start_time_ = 0.0;       // [s] arrival time of the first sample of this series
   std::uint64_t lost_ = 0;
 };
 

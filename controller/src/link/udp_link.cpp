@@ -40,7 +40,7 @@ struct UdpLink::Impl {
   UdpLinkOptions options;
   UdpSocket socket;
   LowCmd damping;
-  // Larger than the largest frame, so that longer datagrams are detected.
+  // Larger than the largest frame, so that datagrams that are too long are detected.
   std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};
   Frame frame, damping_frame;
   LowState state = init_low_state(), incoming = state;
@@ -74,7 +74,7 @@ bool UdpLink::receive() noexcept {
   return newer;
 }
 
-// Process a datagram from the peer: decode and count it, and store it if it is a newer LowState or
+// Process a datagram from the peer: decode it and count it. Store it if it is a newer LowState or
 // the robot has restarted. Return whether it was stored. Invalid, duplicate and reordered datagrams
 // are only counted.
 // @param time arrival time of the datagram [s], on monotonic_time()

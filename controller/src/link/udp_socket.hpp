@@ -7,19 +7,20 @@
 
 namespace surefoot {
 
-/// Return the arrival time [s] of a datagram, on monotonic_time(), computed from its age:
+/// Return the arrival time [s] of a datagram, on monotonic_time(). It is computed from the
+/// datagram's age:
 ///   clamp(now - age, last_empty, now)
-/// The bounds are needed because the age is measured on the wall clock, and the wall clock may
-/// step. Real-time: yes.
+/// The bounds are needed because the age is measured on the wall clock, which may jump. Real-time:
+/// yes.
 /// @param now present time [s], on monotonic_time()
-/// @param age age of the datagram by its stamp [s]
+/// @param age age of the datagram, from its stamp [s]
 /// @param last_empty time of the last read that found no datagram [s], on monotonic_time()
 double arrival_time(double now, double age, double last_empty) noexcept;
 
 /// Non-blocking IPv4 UDP socket for one peer. Real-time: read() and write() yes.
 class UdpSocket {
  public:
-  /// Open the socket. Throws surefoot::Error if the host is unknown or not permitted, or if a port
+  /// Open the socket. Throw surefoot::Error if the host is unknown or not permitted, or if a port
   /// is out of range or cannot be bound.
   /// @param allow_remote_peer true: the peer may be on another machine
   UdpSocket(const std::string& host, int port, int local_port, bool allow_remote_peer);
@@ -29,18 +30,19 @@ class UdpSocket {
 
   enum class ReadResult { kNothing, kPeer, kOtherSender };
   /// Read one datagram. Never blocks.
-  /// @param size in: size of the buffer; out: length of the datagram, which may be larger
+  /// @param size in: size of the buffer; out: length of the datagram, which may exceed the buffer
   /// @param arrived out: arrival time of the datagram at this machine [s], on monotonic_time()
   ReadResult read(std::uint8_t* data, std::size_t& size, double& arrived) noexcept;
 
-  /// Send a datagram to the peer; return false if the system did not accept it. Never blocks.
+  /// Send a datagram to the peer. Return false if the system did not accept it. Never blocks.
   bool write(const std::uint8_t* data, std::size_t size) noexcept;
 
   int local_port() const noexcept { return local_port_; }
 
  private:
   int fd_ = -1;
-  double last_empty_time_ = 0.0;  // [s] last read that found no datagram, monotonic_time()
+  // [s] Time of the last read that found no datagram, on monotonic_time().
+  double last_empty_time_ = 0.0;
   int local_port_ = 0;
   std::uint32_t peer_address_ = 0;  // network byte order
   std::uint16_t peer_port_ = 0;     // network byte order

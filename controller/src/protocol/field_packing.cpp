@@ -10,10 +10,10 @@ namespace surefoot {
 
 namespace {
 
-// Counts per unit in the vendor's frames; tests/cpp/test_frames.cpp compares frames with the
-// vendor's.
+// Counts per unit in the vendor's frames. tests/cpp/test_frames.cpp compares frames with those of
+// the vendor.
 constexpr double kStiffnessUnit = 32.0, kDampingUnit = 16.0, kWholeUnit = 1.0;
-constexpr int kCellVoltageUnit = 32;  // [mV] per count
+constexpr int kCellVoltageUnit = 32;  // [mV] one count
 
 template <typename T>
 T load(const std::uint8_t* from) noexcept {
@@ -26,7 +26,7 @@ void store(std::uint8_t* to, T value) noexcept {
   std::memcpy(to, &value, sizeof(T));
 }
 
-// Keep the first problem. A value that is not finite replaces a value out of range.
+// Keep the first problem, but let a value that is not finite replace a value out of range.
 void record_worst(FrameReport& report, FrameStatus status, const Field& field, int motor) noexcept {
   if (report.status == FrameStatus::kNotFinite || report.status == status) return;
   report.status = status;
@@ -34,8 +34,8 @@ void record_worst(FrameReport& report, FrameStatus status, const Field& field, i
   report.motor = motor;
 }
 
-// Convert to fixed point. Truncate towards zero as the vendor's code does, but saturate where the
-// vendor's code wraps around.
+// Convert to fixed point. The value is truncated towards zero as in the vendor's code, but
+// saturates where the vendor's code wraps around.
 template <typename T>
 T to_fixed_point(double value, double unit, FrameStatus& status) noexcept {
   if (!std::isfinite(value)) {
@@ -53,7 +53,7 @@ std::uint8_t to_uint8(int value, FrameStatus& status) noexcept {
   return static_cast<std::uint8_t>(std::min(value, 255));
 }
 
-// Convert one element from struct to wire and advance both pointers.
+// Convert one element from the struct to the frame, and advance both pointers.
 FrameStatus pack_one(FieldKind kind, double torque_unit, const std::uint8_t*& from,
                      std::uint8_t*& to) noexcept {
   FrameStatus status = FrameStatus::kOk;
@@ -97,7 +97,7 @@ FrameStatus pack_one(FieldKind kind, double torque_unit, const std::uint8_t*& fr
   return status;
 }
 
-// Convert one element from wire to struct and advance both pointers.
+// Convert one element from the frame to the struct, and advance both pointers.
 FrameStatus unpack_one(FieldKind kind, double torque_unit, const std::uint8_t*& from,
                        std::uint8_t*& to) noexcept {
   FrameStatus status = FrameStatus::kOk;
@@ -135,7 +135,7 @@ FrameStatus unpack_one(FieldKind kind, double torque_unit, const std::uint8_t*& 
   return status;
 }
 
-// Call move(field, offset in its struct, motor or -1) for every field, in the order of the wire.
+// Call move(field, offset in its struct, motor or -1) for every field, in the order of the frame.
 template <typename Move>
 void for_each_field(const FrameLayout& layout, Move&& move) noexcept {
   for (int s = 0; s < layout.count; ++s) {

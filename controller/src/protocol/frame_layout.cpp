@@ -8,7 +8,7 @@ namespace {
 using K = FieldKind;
 using X = FrameExtras;
 
-// Offsets in LowCmd; LowState begins with the same header.
+// Offsets in LowCmd. LowState begins with the same header.
 constexpr Field kHeader22[] = {{"header", K::kBytes, 22, 0}};
 constexpr Field kHeader10[] = {
     {"levelFlag", K::kBytes, 1, offsetof(LowCmd, levelFlag)},
@@ -58,7 +58,7 @@ constexpr Field kMotorState[] = {
     {"temperature", K::kBytes, 1, offsetof(MotorState, temperature)},
     {"reserve", K::kBytes, 8, offsetof(MotorState, reserve)},
 };
-// In every generation with a BmsState, its first twelve bytes are copied without conversion.
+// In every generation that has a BmsState, its first twelve bytes are copied without conversion.
 constexpr std::size_t kBms = offsetof(LowState, bms);
 constexpr Field kBattery[] = {
     {"bms", K::kBytes, 14, kBms},

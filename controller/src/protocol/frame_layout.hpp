@@ -5,33 +5,33 @@
 
 namespace surefoot {
 
-/// Conversion of a field between struct and wire.
+/// Conversion of a field between the struct (LowCmd, LowState) and the frame.
 enum class FieldKind : std::uint8_t {
-  kBytes,         ///< copied; the count is in bytes
-  kFloat,         ///< float, copied; must be finite
+  kBytes,         ///< copied; `count` is a number of bytes
+  kFloat,         ///< float, copied; the value must be finite
   kTorque,        ///< float to int16, in the layout's torque unit
   kStiffness,     ///< float to uint16, in units of 1/32
   kDamping,       ///< float to uint16, in units of 1/16
-  kInt16,         ///< float to int16
+  kInt16,         ///< float to int16, in units of 1
   kCellVoltage,   ///< uint16 [mV] to uint8, in units of 32 mV
   kUint16ToUint8  ///< uint16 to uint8
 };
 
-/// One field, or `count` equal fields in a row, in the order of the wire.
+/// One field, or `count` equal fields in a row, in the order of the frame.
 struct Field {
   const char* name;
   FieldKind kind;
   int count;
-  std::size_t offset;  ///< [bytes] in its struct
-  bool extra = false;  ///< true if its struct is FrameExtras
+  std::size_t offset;  ///< [bytes] offset in its struct
+  bool extra = false;  ///< true if its struct is FrameExtras, not LowCmd or LowState
 };
 
 /// Fields of one struct, or of an array of `repeat` structs.
 struct Section {
   const Field* fields;
   int count;               ///< number of fields
-  std::size_t offset = 0;  ///< [bytes] of the array in LowCmd or LowState
-  std::size_t stride = 0;  ///< [bytes] from one struct of the array to the next
+  std::size_t offset = 0;  ///< [bytes] offset of the struct or array in LowCmd or LowState
+  std::size_t stride = 0;  ///< [bytes] distance between two structs of the array
   int repeat = 1;
 };
 
@@ -39,8 +39,8 @@ struct Section {
 struct FrameLayout {
   std::array<Section, 5> sections;
   int count;           ///< number of sections in use
-  std::size_t size;    ///< [bytes] with the CRC
-  bool has_header;     ///< begins with FE EF, and its levelFlag is checked
+  std::size_t size;    ///< [bytes] size of the frame, including the CRC
+  bool has_header;     ///< true if the frame begins with FE EF and its levelFlag is checked
   double torque_unit;  ///< counts per N.m
 };
 

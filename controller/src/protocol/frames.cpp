@@ -30,7 +30,7 @@ FrameReport encode(const FrameLayout& layout, Generation generation, Struct mess
   return report;
 }
 
-// Check the length. If it is not the expected length, find the generation whose frames have this
+// Check the length of a frame. If it is not as expected, find the generation whose frames have this
 // length.
 FrameStatus check_length(std::size_t size, LayoutFunction layout_of, FrameReport& report) noexcept {
   if (layout_of(report.expected).size == size) return FrameStatus::kOk;

@@ -8,14 +8,15 @@ namespace surefoot {
 
 namespace {
 
-// Largest valid |stick value|. Chosen. Larger than 1 by 5 %, because the calibration of sticks is
-// not exact; larger values do not come from a stick.
+// Largest valid |stick value|. Chosen 5 % larger than 1, because the calibration of sticks is not
+// exact. Larger values do not come from a stick.
 constexpr float kMaxDeflection = 1.05F;
 
 struct Stick {
   std::size_t offset;
   float WirelessRemote::* value;
 };
+// [bytes] Offset of the buttons; the offsets of the sticks follow.
 constexpr std::size_t kButtons = 2;
 constexpr Stick kSticks[] = {{4, &WirelessRemote::lx},
                              {8, &WirelessRemote::rx},

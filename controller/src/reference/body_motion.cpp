@@ -8,18 +8,18 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time without blocked axes after which a limit is cleared. Chosen. If shorter: the status
-// would flicker between ticks. If longer: an operator would see an old limit.
+// [s] A limit is cleared when no axis has been blocked for this time. Chosen. If shorter: the
+// status would flicker from tick to tick. If longer: an operator would see an old limit.
 constexpr double kLimitHoldTime = 0.1;
 // Numerical tolerances:
-// Errors of position [m], [rad] and of velocity [m/s], [rad/s] below which the target is reached.
+// Errors of pose [m], [rad] and velocity [m/s], [rad/s] below which the target is reached.
 constexpr double kTargetTolerance = 1e-5;
-// [m] Foot displacement above which the pose is evaluated again: ten times kTargetTolerance.
+// [m] Displacement of a foot above which the pose is evaluated again: ten times kTargetTolerance.
 constexpr double kFootTolerance = 1e-4;
-// [m], [rad] Displacement with which probe_axis() tests an axis: far above kTolerance of
-// StanceKinematics (1e-6 m).
+// [m], [rad] Displacement with which probe_axis() tests an axis. Far above kTolerance of
+// StanceKinematics, 1e-6 m.
 constexpr double kProbeStep = 1e-3;
-// [m], [rad] Bound of each coordinate of a target. Chosen: beyond any robot's reach.
+// [m], [rad] Largest magnitude of each coordinate of a target. Chosen: beyond any robot's reach.
 constexpr double kMaxTarget = 10.0;
 
 Vector6 to_vector(const BodyReference& r) noexcept {
@@ -37,7 +37,7 @@ void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
   reach_check_.set_initial_guess(q);
   position_.setZero();
   just_latched_ = true;
-  evaluated_feet_.setConstant(kMaxTarget);  // the next update() then evaluates the pose
+  evaluated_feet_.setConstant(kMaxTarget);  // forces an evaluation of the pose in the next update()
   stop();
 }
 
@@ -74,7 +74,7 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   if (at_limit()) probe_axis(gains, feet, gravity, dt);
   const Vector6 before = velocity_;
   velocity_ = before + limited_change(gains, desired_velocity(gains) - before, dt);
-  // Continue only if the pose in which the body could stop is acceptable; brake otherwise.
+  // Continue only if the pose in which the body could come to rest is acceptable; otherwise brake.
   const double stopping = half_braking_time(gains) + dt;
   if (acceptable(gains, position_ + stopping * velocity_, feet, gravity)) {
     v_com_ = (reach_check_.p_com() + com_offset_ - p_com_) / stopping;
@@ -89,8 +89,8 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   p_com_ += v_com_ * dt;
 }
 
-// Evaluate the present pose with the present feet. Set the centre of mass, and the violation: the
-// next pose must not violate the limits more than the present pose.
+// Evaluate the present pose with the present feet. Set the centre of mass and violation_, which the
+// next pose must not exceed.
 void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                                        const Vector3& gravity) noexcept {
   const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);
@@ -105,9 +105,9 @@ void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& fee
   p_com_ = reach_check_.p_com() + com_offset_;
 }
 
-// Return whether the body may move to a pose, given like position_; if not, write the reason to
-// limit_. A pose outside the limits is acceptable if its violation does not exceed that of the
-// present pose. Without this rule, feet that a push has displaced could lock the body in place.
+// Return whether the body may move to a pose, given like position_. If not, write the reason to
+// limit_. A pose outside the limits is acceptable if its violation is at most that of the present
+// pose. Without this rule, feet that a push has displaced could lock the body in place.
 bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
                             const Vector3& gravity) noexcept {
   const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + position.head<3>(),
@@ -119,7 +119,7 @@ bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const F
   return false;
 }
 
-// At a limit, test one axis in each tick: may the body still move along it towards the target?
+// At a limit, test one axis in each tick: may the body move along this axis towards the target?
 void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                             double dt) noexcept {
   axis_ = (axis_ + 1) % 6;
@@ -132,8 +132,8 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
   limit_ = unblocked_time_ > kLimitHoldTime ? ReachStatus{} : reason;
 }
 
-// Compute the velocity along a straight line to the target, with zero on blocked axes. Limit this
-// velocity to the speed gains, and to the speed from which the body can still stop at the target.
+// Compute the velocity along a straight line to the target, with zero on blocked axes. The speed is
+// limited to the speed gains, and to the speed from which the body can still stop at the target.
 Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
   Vector6 to_target = target_ - position_;
   for (int axis = 0; axis < 6; ++axis) {
@@ -160,8 +160,8 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
   return change;
 }
 
-// Compute the braking distance divided by the present speed, v / (2 a): half of the time that
-// braking takes. The body stops at position_ + velocity_ * this time.
+// Compute v / (2 a), the braking distance divided by the present speed. It is half of the time that
+// braking takes. The body comes to rest at position_ + velocity_ * v / (2 a).
 double BodyMotion::half_braking_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);
@@ -183,8 +183,8 @@ Quaternion BodyMotion::orientation_at(const Vector6& position) const noexcept {
          exp_so3(position[3] * Vector3::UnitX()) * latched_.R_base;
 }
 
-// Convert the rates of roll, pitch and yaw to an angular velocity in the support frame. Yaw rotates
-// the pitch axis; yaw and pitch rotate the roll axis.
+// Convert the rates of roll, pitch and yaw to an angular velocity in the support frame. The pitch
+// axis rotates with yaw; the roll axis rotates with yaw and pitch.
 Vector3 BodyMotion::angular_velocity(const Vector3& rates) const noexcept {
   const Quaternion Rz = exp_so3(position_[5] * Vector3::UnitZ());
   const Quaternion Rzy = Rz * exp_so3(position_[4] * Vector3::UnitY());

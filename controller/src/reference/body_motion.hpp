@@ -16,7 +16,7 @@ struct LatchedPose {
 /// Trajectory generator of the body pose, from the latched pose to a requested target.
 ///
 /// Gains limit speed and acceleration. In each tick ReachCheck tests the pose in which the body
-/// could come to a stop. If the robot cannot stand in that pose, the body brakes. At a limit, the
+/// could come to rest. If the robot cannot stand in that pose, the body brakes. At a limit, the
 /// body still moves along the axes that are not blocked. Real-time: yes.
 class BodyMotion {
  public:
@@ -24,10 +24,11 @@ class BodyMotion {
 
   /// Start at rest in a latched pose.
   /// @param p_com centre of mass at the latch, support frame [m]
-  /// @param q configuration at the latch, shape (nq,): initial guess of the inverse kinematics
+  /// @param q configuration at the latch, shape (nq,); initial guess of the inverse kinematics
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
 
-  /// Return to the latched pose at once and drop the target. p_com() is unchanged until latch().
+  /// Return to the latched pose at once and drop the target. p_com() does not change before
+  /// latch().
   void reset() noexcept;
 
   /// Set the target. A target with NaN or infinity is rejected, and the last valid target is kept.
@@ -41,8 +42,8 @@ class BodyMotion {
 
   /// Return the present pose (x, y, height, roll, pitch, yaw) relative to the latched pose.
   BodyReference position() const noexcept;
-  /// Return kNotFinite if the last target was rejected; otherwise the limit that stops the motion,
-  /// or kNone.
+  /// Return kNotFinite if the last target was rejected. Otherwise return the limit that stops the
+  /// motion, or kNone if no limit does.
   ReachStatus status() const noexcept {
     return request_rejected_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
   }
@@ -53,8 +54,8 @@ class BodyMotion {
   const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] centre of mass in this pose
   const Vector3& v_com() const noexcept { return v_com_; }  ///< [m/s]
   Vector3 w_base() const noexcept;                          ///< [rad/s]
-  /// [rad/s^2] Angular acceleration from the accelerations of roll, pitch and yaw; products of
-  /// their rates are neglected.
+  /// [rad/s^2] Angular acceleration, from the second derivatives of roll, pitch and yaw. Products
+  /// of their rates are neglected.
   Vector3 alpha_base() const noexcept;
 
  private:
@@ -74,19 +75,22 @@ class BodyMotion {
 
   ReachCheck reach_check_;
   LatchedPose latched_;
-  // Poses relative to the latched pose (x, y, height [m]; roll, pitch, yaw [rad]), and the
-  // derivatives of position_.
+  // Poses relative to the latched pose: x, y, height [m]; roll, pitch, yaw [rad]. velocity_ and
+  // acceleration_ are the derivatives of position_.
   Vector6 target_ = Vector6::Zero(), position_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
+  // com_offset_: added to the centre of mass of the inverse kinematics (see
+  // evaluate_current_pose()).
   Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero(), com_offset_ = Vector3::Zero();
   bool just_latched_ = true;
+  // [m] Contact points with which the pose was evaluated last.
   FeetMatrix evaluated_feet_ = FeetMatrix::Zero();
   ReachStatus limit_;
   bool request_rejected_ = false;
-  double violation_ = 0.0;         // [rad] of the present pose (see ReachResult)
-  double unblocked_time_ = 0.0;    // [s] since an axis was last blocked
-  std::array<bool, 6> blocked_{};  // axes that a limit blocks
-  int axis_ = 0;                   // axis that probe_axis() tested last
+  double violation_ = 0.0;         // [rad] violation of the present pose, see ReachResult
+  double unblocked_time_ = 0.0;    // [s] time since an axis was last blocked
+  std::array<bool, 6> blocked_{};  // true for each axis that a limit blocks
+  int axis_ = 0;                   // the axis that probe_axis() tested last
 };
 
 }  // namespace surefoot

@@ -21,7 +21,7 @@ std::array<bool, kLegs> stance_of(const Reference& reference) noexcept {
 
 Eigen::Vector2d capture_point(const Dynamics& dynamics, const Vector3& dv_com) noexcept {
   const double ground = contact_points(dynamics).row(2).mean();
-  // [m] Against division by zero; chosen below the height of any lying robot.
+  // [m] Avoids a division by zero. Chosen: less than the height of any lying robot.
   const double height = std::max(dynamics.p_world_com().z() - ground, 0.05);
   const double omega = std::sqrt(kGravity / height);
   return (dynamics.p_world_com() + (dynamics.v_world_com() + dv_com) / omega).head<2>();
@@ -38,9 +38,8 @@ double capture_margin(const Dynamics& dynamics, const Reference& reference,
 
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
                       const Vector3& dv_com) noexcept {
-  // Fewer than three stance feet span no polygon: +inf states that no margin is defined.
-  // SupportPolygon::margin() returns 0 in this case, which would mean that the capture point is at
-  // an edge.
+  // Fewer than three stance feet span no polygon. The result is then +inf: no margin is defined.
+  // The 0 of SupportPolygon::margin() would mean that the capture point is at an edge.
   const SupportPolygon polygon(contact_points(dynamics), stance);
   return polygon.is_valid() ? polygon.margin(capture_point(dynamics, dv_com))
                             : std::numeric_limits<double>::infinity();

@@ -8,12 +8,12 @@
 
 namespace surefoot {
 
-/// Displacement of the contact points by rolling of the spherical feet within the last seconds.
+/// Displacement of the contact points that the rolling of the spherical feet causes.
 ///
 /// A loaded foot of radius r rotates with its shank. Without slip, its contact point then moves
-/// with velocity r (w x n), w: angular velocity of the shank, n: ground normal. The displacement is
-/// about a tenth of the body's displacement. It decays within seconds: when the robot
-/// leans for longer, its present contact points become the reference. The displacement is bounded,
+/// with velocity r (w x n), where w is the angular velocity of the shank and n the ground normal.
+/// The displacement is about a tenth of the body's displacement. It decays within seconds: if the
+/// robot leans for longer, its present contact points become the reference. It is also bounded,
 /// because w contains the errors of the gyroscope. Real-time: yes.
 class FootRolling {
  public:
@@ -23,7 +23,7 @@ class FootRolling {
 
   /// Integrate the rolling of one tick.
   /// @param normal ground normal, unit length, world axes
-  /// @param contact contact confidence per foot, 0 .. 1; the rolling of a foot is scaled by it
+  /// @param contact contact confidence of each foot, 0 .. 1, which scales the rolling of the foot
   void update(const Dynamics& dynamics, const Vector3& normal, const Eigen::Vector4d& contact,
               double dt) noexcept {
     displacement_ *= 1.0 - dt / (dt + kDecayTime);
@@ -39,11 +39,12 @@ class FootRolling {
   }  ///< [m] FR FL RR RL, world axes
 
  private:
-  // [s] Time constant of the decay. Chosen. Longer than the reaction to a push, some tenths of a
-  // second; short, so that a leaning robot soon refers to its present contact points.
+  // [s] Time constant of the decay. Chosen longer than the reaction to a push, some tenths of a
+  // second, and short enough that the present contact points of a leaning robot soon become the
+  // reference.
   static constexpr double kDecayTime = 2.0;
-  // [rad] Largest rotation of a foot that counts. Chosen. Larger than the rotation of the shanks in
-  // survivable pushes; small, so that errors of the gyroscope cannot add up.
+  // [rad] Largest rotation of a foot that is counted. Chosen larger than the rotation of the shanks
+  // in pushes that the robot survives, and small enough that errors of the gyroscope cannot add up.
   static constexpr double kMaxAngle = 0.4;
 
   double radius_;

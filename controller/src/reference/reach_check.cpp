@@ -9,9 +9,9 @@
 namespace surefoot {
 
 namespace {
-// [rad/m] Factor that converts the violation of a limit in metres to radians, so that it compares
-// with the violation of a joint limit. Derived: the inverse of a link's length, 0.2 m on a1, go1
-// and go2.
+// [rad/m] Factor that converts the violation of a limit in metres to radians, so that it can be
+// compared with the violation of a joint limit. Derived: the inverse of the length of a link, 0.2 m
+// on a1, go1 and go2.
 constexpr double kViolationPerMetre = 5.0;
 }  // namespace
 
@@ -36,7 +36,7 @@ const char* to_string(ReachLimit limit) noexcept {
 ReachResult ReachCheck::evaluate(const Gains& gains, const Vector3& p_base,
                                  const Quaternion& R_base, const FeetMatrix& feet,
                                  const Vector3& gravity) noexcept {
-  // In support axes the ground normal is z.
+  // The ground normal is the z axis of the support frame.
   if (!kinematics_.solve(p_base, R_base, feet, Vector3::UnitZ())) {
     return {{ReachLimit::kUnreachable, -1}, std::numeric_limits<double>::infinity()};
   }
@@ -49,14 +49,14 @@ ReachResult ReachCheck::evaluate(const Gains& gains, const Vector3& p_base,
     const double shortfall = gains.reach_joint_margin - joint_margin;
     if (shortfall > worst.violation) worst = {{ReachLimit::kJoint, i}, shortfall};
   }
-  // kFootHeight limits the depth of a foot below its hip axis.
+  // ReachLimit::kFootHeight: depth of a foot below its hip axis.
   for (int leg = 0; leg < kLegs; ++leg) {
     const double shortfall =
         kViolationPerMetre * (gains.reach_foot_depth - kinematics_.depth()[leg]);
     if (shortfall > worst.violation) worst = {{ReachLimit::kFootHeight, 3 * leg}, shortfall};
   }
   const Vector3& com = kinematics_.p_com();
-  // Centre of mass, projected along gravity to the ground.
+  // Centre of mass, projected to the ground along gravity.
   const Vector3 ground = com - (com.z() / gravity.z()) * gravity;
   const SupportPolygon polygon(feet, {true, true, true, true});
   const double shortfall =

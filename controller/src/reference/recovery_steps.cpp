@@ -11,42 +11,44 @@ namespace surefoot {
 
 namespace {
 
-// Units: h is the height of the centre of mass above the feet.
-// All values are chosen (git a363d66); tests/closed_loop/test_recovery_steps.py covers them
-// together.
+// Unit h: height of the centre of mass above the feet. All values are chosen (git a363d66);
+// tests/closed_loop/test_recovery_steps.py covers them together.
 
-// Capture margin, as a share of the gain edge_margin, below which a foot that has lost contact
-// steps. If larger: feet step at weak pushes (test_no_foot_steps_at_a_75_percent_push). If smaller:
-// the foot steps too late.
+// A foot that has lost contact steps if the capture margin is below this share of the gain
+// edge_margin. If larger: feet step at weak pushes (test_no_foot_steps_at_a_75_percent_push). If
+// smaller: the foot steps too late.
 constexpr double kNearEdge = 0.65;
 // [h] The body counts as moving when the capture point is farther than this from the centre of
-// mass. More than the sway of a standing robot; less than in pushes that need a step.
+// mass. Chosen larger than the sway of a standing robot, and smaller than the distance in pushes
+// that need a step.
 constexpr double kMovingDistance = 0.1;
-// Contact confidences, with hysteresis around 0.4: below kOffGroundConfidence a foot has lifted
-// off; above kContactConfidence it is loaded or has landed.
+// Contact confidences, with hysteresis around 0.4. Below kOffGroundConfidence a foot has lifted
+// off. Above kContactConfidence a foot is loaded or has landed.
 constexpr double kOffGroundConfidence = 0.3;
 constexpr double kContactConfidence = 0.5;
-// [sqrt(h / g)] Time from the start of a step, unloading included, until the foot is pressed down:
+// [sqrt(h / g)] Time from the start of a step until the foot is pressed down, unloading included:
 // 0.1 s at h = 0.3 m. If shorter: the leg would have to move too fast. If longer: the capture point
-// moves too far away; its distance from the support grows by exp(0.6) = 1.8 in this time.
+// moves too far away; in this time its distance from the support grows by a factor of
+// exp(0.6) = 1.8.
 constexpr double kSwingTime = 0.6;
-// [h] Height of a swing foot: 24 mm at h = 0.3 m. More than the contact point moves by rolling of
-// the foot.
+// [h] Height of a swing foot: 24 mm at h = 0.3 m. More than the displacement of the contact point
+// by rolling of the foot.
 constexpr double kLiftHeight = 0.08;
-// [h] Depth of the desired position below the ground at landing, for a reliable contact.
+// [h] Depth of the desired position below the ground at landing. It ensures contact.
 constexpr double kPressDepth = 0.1;
-// [h] Capture margin after landing that a step must exceed: just above 0, where the robot tips.
+// [h] Capture margin after landing that a step must exceed. Just above 0, where the robot tips
+// over.
 constexpr double kMinMargin = 0.01;
 // [sqrt(g h)] Largest speed of a foot's desired position. Measured: at a latency of 20 ms a go2
-// survives 100 % of the pushes with this value and 97.5 % with half of it (git b8a299d).
+// survives 100 % of the pushes with this value, and 97.5 % with half of it (git b8a299d).
 constexpr double kFootSpeed = 2.0;
-// [s] Time constant with which the nominal position moves to a foot that has landed;
-// kNominalFeetDriftTime of support_frame.cpp is for loaded feet. If shorter: the references jump.
-// Shorter than kSwingTime, so that it has moved before the next step lands.
+// [s] Time constant with which the nominal position moves to a foot that has landed.
+// (kNominalFeetDriftTime in support_frame.cpp is for feet that have not stepped.) If shorter: the
+// references jump. Shorter than kSwingTime, so that the motion ends before the next foot lands.
 constexpr double kFootReturnTime = 0.05;
 constexpr double kReturnTime = 0.2;  // [s] time constant of the foot offsets' decay after stop()
 
-// Return the height of the centre of mass above the feet, at least 0.05 m as in capture_point().
+// Return the height of the centre of mass above the feet. At least 0.05 m, as in capture_point().
 double height_over(const FeetMatrix& p_world_feet, const Dynamics& dynamics) noexcept {
   return std::max(dynamics.p_world_com().z() - p_world_feet.row(2).mean(), 0.05);
 }
@@ -99,9 +101,9 @@ void RecoverySteps::exclude_swing_feet(const SupportFrame& support, FeetMatrix& 
   }
 }
 
-// Compute how close the capture point is to the edge of the polygon of the nominal foot positions,
-// and the stride: edge proximity times the vector from the support origin to the capture point,
-// limited to foot_step.
+// Compute the edge proximity and the stride. The edge proximity is 1 with the capture point at an
+// edge of the polygon of the nominal foot positions. The stride is the edge proximity times the
+// vector from the support origin to the capture point, limited to foot_step.
 void RecoverySteps::update_stride(const Gains& gains, const SupportFrame& support,
                                   const FeetMatrix& p_world_nominal_feet,
                                   const Eigen::Vector2d& capture) noexcept {
@@ -114,7 +116,7 @@ void RecoverySteps::update_stride(const Gains& gains, const SupportFrame& suppor
 }
 
 // If the capture point is outside, select a loaded foot whose step would bring the capture point
-// back inside, and begin to unload this foot. Only one foot is unloaded at a time.
+// back inside, and begin to unload it. Only one foot is unloaded at a time.
 void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
                                         const FeetMatrix& p_world_nominal_feet,
                                         const Eigen::Vector4d& contact,
@@ -136,7 +138,7 @@ void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
   phase_time_[leg] = 0.0;
 }
 
-// Detect lift-off and landing of a foot. After landing, the desired position of the foot is the
+// Detect lift-off and landing of a foot. From landing on, the desired position of the foot is the
 // place where it landed.
 void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_nominal) noexcept {
   FootPhase& phase = phase_[leg];
@@ -154,9 +156,9 @@ void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_no
   }
 }
 
-// Move the desired position of a stepping foot. First move it towards the end of the stride, no
-// faster than kFootSpeed and no higher than kLiftHeight. After kSwingTime move it straight down to
-// kPressDepth below the ground.
+// Move the desired position of a stepping foot. Before kSwingTime, move it towards the end of the
+// stride, no faster than kFootSpeed and no higher than kLiftHeight. After kSwingTime, move it
+// straight down to kPressDepth below the ground.
 void RecoverySteps::update_swing(int leg, const Vector3& from_nominal, const Vector3& normal,
                                  double height, double dt) noexcept {
   Vector3 along = project_to_plane(foot_offsets_.col(leg), normal);
@@ -165,8 +167,8 @@ void RecoverySteps::update_swing(int leg, const Vector3& from_nominal, const Vec
     const Vector3 remaining = stride_ - along;
     const double most = kFootSpeed * std::sqrt(kGravity * height) * dt;
     along += remaining * std::min(1.0, most / std::max(remaining.norm(), most));
-    // A swing foot descends as it approaches its landing position. The desired position of a foot
-    // that is still in contact is kLiftHeight above the ground, so that the foot lifts off.
+    // A swing foot descends as it approaches its landing position. For a foot that is still in
+    // contact the desired position is kLiftHeight above the ground, so that the foot lifts off.
     const double lift = kLiftHeight * height;
     up = is_lifting_off(leg)
              ? lift

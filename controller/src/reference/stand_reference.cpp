@@ -9,14 +9,15 @@ namespace surefoot {
 
 namespace {
 
-// Chosen; covered by tests/closed_loop/test_external_lifts.py and test_stand_reference.cpp.
+// The constants are chosen. Tests: tests/closed_loop/test_external_lifts.py,
+// test_stand_reference.cpp.
 constexpr double kAirborneTime = 0.2;  // [s] time constant of airborne_share_
 // Airborne share above which recovery steps stop; it is reached after 0.32 s in the air. If
-// smaller: a fall from 10 cm, which lasts 0.14 s, would stop them. If larger: a recovery step that
-// presses a foot down would keep its leg stretched while a person lifts the robot.
+// smaller: a fall from 10 cm, which lasts 0.14 s, would stop recovery steps. If larger: while a
+// person lifts the robot, a recovery step that presses a foot down would keep its leg stretched.
 constexpr double kLiftedShare = 0.8;
-// Extra extension of airborne legs, as a share of the standing height. If smaller: the joints have
-// too little range left to brake a landing. If larger: the legs are nearly straight.
+// Additional extension of airborne legs, as a share of the standing height. If smaller: the joints
+// have too little range left to brake a landing. If larger: the legs are nearly straight.
 constexpr double kAirborneExtension = 0.15;
 
 }  // namespace
@@ -54,8 +55,9 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   three_leg_stance_.update(support_.nominal_feet(), motion_.p_com(), dt);
   update_airborne_share(contact, dt);
   Vector3 p_base = motion_.p_base();
-  // In the air, extend the legs: extended legs have more joint range to brake a landing. A greater
-  // height of the base above the support frame places the frame, and so the desired feet, lower.
+  // In the air, extend the legs, so that the joints have more range to brake a landing. A greater
+  // height of the base above the support frame places the frame lower, and with it the desired
+  // feet.
   p_base.z() *= 1.0 + kAirborneExtension;
   support_.follow_body(dynamics.p_world_base(), p_base, airborne_share_);
 
@@ -69,9 +71,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
     reference_.feet[leg].p_world = support_.origin() + R * support_.nominal_feet().col(leg) +
                                    recovery_steps_.foot_offsets().col(leg) +
                                    foot_rolling_.displacement().col(leg);
-    // Only a foot that lifts off must be unloaded. A foot that swings keeps stance = true, so that
-    // the QP lets it take load as soon as it lands; until then its contact confidence limits its
-    // load.
+    // Only a foot that lifts off must be unloaded. A swing foot keeps stance = true, so that the QP
+    // lets it carry load as soon as it lands. Until then its contact confidence limits its load.
     reference_.feet[leg].stance = !recovery_steps_.is_lifting_off(leg);
   }
   if (three_leg_stance_.lost_leg() != ThreeLegStance::kNone)
@@ -80,9 +81,9 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   return reference_;
 }
 
-// Set the reference of a lost leg's foot: no load, and as desired motion its measured motion. With
+// Set the reference of a lost leg's foot: no load, and its measured motion as desired motion. With
 // any other desired motion the QP would accelerate the lost leg, for example to get a reaction
-// force on the trunk. The leg has no torque, so this force would not exist.
+// force on the trunk. The leg has no torque, so there would be no such force.
 void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   FootReference& foot = reference_.feet[leg];
   foot.stance = false;
@@ -91,9 +92,9 @@ void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   foot.v_world = dynamics.legs()[leg].v_world_contact;
 }
 
-// Update the airborne share. It is zero while the sum of the contact confidences is 1 or more. It
-// rises slowly, because a fast rise would move the desired feet away from the real ones and
-// accelerate the legs abruptly. On contact it falls at once.
+// Update the airborne share. It is zero while the sum of the contact confidences is at least 1. It
+// falls at once on contact but rises slowly: a fast rise would move the desired feet away from the
+// real ones and accelerate the legs abruptly.
 void StandReference::update_airborne_share(const Eigen::Vector4d& contact, double dt) noexcept {
   const double in_air = std::clamp(1.0 - contact.sum(), 0.0, 1.0);
   const double filtered = airborne_share_ + dt / (dt + kAirborneTime) * (in_air - airborne_share_);

@@ -15,8 +15,8 @@ namespace surefoot {
 ///
 /// Base pose, centre of mass and nominal foot positions are kept in the support frame, which is
 /// fitted to the feet. The pose of this frame relative to the body depends only on the joint angles
-/// and, for a few seconds, on the rolling of the feet. Slow errors of the IMU move frame and body
-/// together, so these errors cannot make the robot lean.
+/// and, for a few seconds, on the rolling of the feet. Slow errors of the IMU move the frame and
+/// the body together, so they cannot make the robot lean.
 ///
 /// While no foot is loaded, the frame follows the body, and the legs extend beyond the standing
 /// pose by kAirborneExtension. When the capture point is near a support edge, feet step
@@ -42,7 +42,7 @@ class StandReference {
   int lost_leg() const noexcept { return three_leg_stance_.lost_leg(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
-  /// Compute the reference of this tick in the estimator's world frame.
+  /// Compute the reference of this tick, in the estimator's world frame.
   /// @param contact_confidence FR FL RR RL, 0 .. 1
   const Reference& update(const Gains& gains, const Dynamics& dynamics,
                           const Eigen::Vector4d& contact_confidence, double dt) noexcept;
@@ -59,8 +59,8 @@ class StandReference {
   FootRolling foot_rolling_;
   RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
-  // 0: a foot is loaded; near 1: all feet have been in the air for longer than kAirborneTime. Each
-  // tick moves the frame to the body by this share.
+  // 0: a foot is loaded. Near 1: all feet have been in the air for longer than kAirborneTime. Each
+  // tick moves the support frame towards the body by this share.
   double airborne_share_ = 0.0;
   Reference reference_;
 };

@@ -8,26 +8,26 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time constant of the ground normal. Chosen. Longer than a push of 0.1 s, whose foot motion is
-// not a slope; shorter than the motion of ground that tilts under the robot (surefoot.sim
+// [s] Time constant of the ground normal. Chosen longer than a push of 0.1 s, whose foot motion is
+// not a slope, and shorter than the motion of ground that tilts under the robot (surefoot.sim
 // moving_ground).
 constexpr double kGroundTime = 0.5;
-// [s] Time after the latch in which the ground normal follows the feet without delay. The
-// estimator's attitude still converges in this time, and its corrections must not move the body.
-// Chosen with robots that are handed over on slopes (git a8e6a2e).
+// [s] For this time after the latch, the ground normal follows the feet without delay. The
+// estimator's attitude still converges then, and its corrections must not move the body. Chosen
+// with robots that start on slopes (git a8e6a2e).
 constexpr double kInitialTime = 0.15;
-// [s] Time constant of the nominal positions of loaded feet. Chosen equal to kGroundTime.
+// [s] Time constant with which nominal positions follow loaded feet. Chosen equal to kGroundTime.
 constexpr double kNominalFeetDriftTime = 0.5;
-// [m^2] Regularisation: where the feet in contact do not determine the tilt (two feet: about the
-// line through them), the old tilt stays. Numerical: small against the spread of the feet, about
-// 0.02 m^2 (0.15 m each).
+// [m^2] Regularisation. Two feet do not determine the tilt about the line through them; the old
+// tilt about this line then stays. Numerical: small against the spread of the feet, about 0.02 m^2
+// (0.15 m squared).
 constexpr double kSlopeRegularisation = 1e-4;
-// [m^2] Regularisation in update_nominal_feet(), which uses only the residual of the fit.
+// [m^2] Regularisation in update_nominal_feet(), where only the residual of the fit is used.
 // Numerical: small against the spread of the feet.
 constexpr double kDetrendRegularisation = 1e-6;
 
-// Compute the heading [rad] of the line from the centre of the rear feet to the centre of the front
-// feet: its angle about z from the x axis.
+// Return the heading [rad] of the line from the centre of the rear feet to the centre of the front
+// feet, as the angle from the x axis about z.
 double heading(const FeetMatrix& p) noexcept {
   const Vector3 forward = p.col(FR_) + p.col(FL_) - p.col(RR_) - p.col(RL_);
   return std::atan2(forward.y(), forward.x());
@@ -37,7 +37,7 @@ Matrix3 rotation_z(double angle) noexcept {
   return exp_so3(angle * Vector3::UnitZ()).toRotationMatrix();
 }
 
-// Return the slopes s that fit heights = s^T xy best, by weighted least squares; xy are the first
+// Return the two slopes s that best fit heights = s^T xy, by weighted least squares; xy: the first
 // two rows of `d`. The columns of `d` and the heights must have zero weighted mean.
 Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
                       const Eigen::Vector4d& weight, double regularisation) noexcept {
@@ -51,7 +51,7 @@ Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
   return S.inverse() * r;
 }
 
-// Apply the shortest rotation that brings the z axis of R to `normal`.
+// Return R after the shortest rotation that brings its z axis to `normal`.
 Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
   return Quaternion::FromTwoVectors(R.col(2), normal).toRotationMatrix() * R;
 }
@@ -61,10 +61,11 @@ Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
 void SupportFrame::latch(const FeetMatrix& p) noexcept {
   time_since_latch_ = 0.0;
   origin_ = p.rowwise().mean();
-  // The plane parallel to both diagonals of the feet is the plane closest to the four points.
+  // The plane through the centre that is parallel to both diagonals of the feet is closest to the
+  // four points.
   const Vector3 normal = (p.col(FL_) - p.col(RR_)).cross(p.col(RL_) - p.col(FR_));
   R_ = rotation_z(heading(p));
-  // Feet in one line span no plane: keep the vertical in this case.
+  // Feet in one line span no plane; the z axis then stays vertical.
   if (normal.norm() > 1e-3 && normal.z() > 0.0) R_ = aligned(R_, normal.normalized());
   nominal_feet_ = R_.transpose() * (p.colwise() - origin_);
   const Matrix3 turn = rotation_z(heading(nominal_feet_));
@@ -73,7 +74,7 @@ void SupportFrame::latch(const FeetMatrix& p) noexcept {
 }
 
 void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, double dt) noexcept {
-  // The offset gives all feet equal weight when all are in the air.
+  // The small offset gives all feet equal weight when all of them are in the air.
   Eigen::Vector4d weight = contact.cwiseMax(0.0).array() + 1e-6;
   weight /= weight.sum();
   const Vector3 mean = p * weight, mean_nominal = nominal_feet_ * weight;
@@ -87,7 +88,7 @@ void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, d
   update_nominal_feet(p, contact, weight, dt);
 }
 
-// Tilt the frame by `blend` times the tilt that best fits the nominal heights of the feet to the
+// Tilt the frame by `blend` times the tilt for which the nominal heights of the feet best fit the
 // measured heights.
 void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
                                  const Eigen::Vector4d& weight, double blend) noexcept {
@@ -111,11 +112,11 @@ void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix&
   R_ = R_ * rotation_z(std::atan2(sine, cosine));
 }
 
-// Move the nominal positions towards the feet. Then move the frame so that the centroid of the
-// nominal positions stays at the origin and their heading along x.
+// Move the nominal positions towards the feet. Then move the frame so that its origin is again at
+// the centroid of the nominal positions, and its x axis along their heading.
 //
-// A common tilt of all feet comes from the IMU or the ground, and update_normal() corrects it over
-// time. The rest of this tilt is subtracted here first; otherwise the nominal positions would
+// A common tilt of all feet comes from the IMU or the ground; update_normal() corrects it over
+// time. What remains of this tilt is subtracted here, because otherwise the nominal positions would
 // absorb a part of it.
 void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
                                        const Eigen::Vector4d& weight, double dt) noexcept {

@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// Frame of the stance feet, in which the reference for standing is kept.
+/// Frame of the stance feet, in which the reference of a standing robot is kept.
 ///
 /// The origin is the centroid of the nominal foot positions. The x axis points from the centre of
 /// the rear feet to the centre of the front feet, the z axis along the normal of their plane.
@@ -26,10 +26,11 @@ class SupportFrame {
   /// @param contact contact confidence per foot, 0 .. 1
   void update(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, double dt) noexcept;
 
-  /// Move the origin with the body while the robot is in the air and no foot determines the frame.
+  /// Move the origin with the body while the robot is in the air, where no foot determines the
+  /// frame.
   /// @param p_world_body measured position of the body, world frame [m]
   /// @param p_support_body desired position of the body, support frame [m]
-  /// @param share 0: the origin stays; 1: the body is at p_support_body afterwards
+  /// @param share 0: the origin does not move. 1: the body is at p_support_body afterwards
   void follow_body(const Vector3& p_world_body, const Vector3& p_support_body,
                    double share) noexcept {
     origin_ += share * (p_world_body - R_ * p_support_body - origin_);
@@ -41,7 +42,7 @@ class SupportFrame {
     nominal_feet_.col(leg) += R_.transpose() * displacement;
   }
 
-  const Vector3& origin() const noexcept { return origin_; }  ///< [m] world
+  const Vector3& origin() const noexcept { return origin_; }  ///< [m] world frame
   const Matrix3& R_world_support() const noexcept { return R_; }
   Vector3 normal() const noexcept { return R_.col(2); }
   const FeetMatrix& nominal_feet() const noexcept { return nominal_feet_; }  ///< [m] support frame

@@ -35,7 +35,7 @@ double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
 }
 
 Eigen::Vector2d SupportPolygon::displacement_outside(const Eigen::Vector2d& point) const noexcept {
-  // Displacement of `point` from the nearest point found so far.
+  // Displacement of `point` from the nearest point that has been found so far.
   Eigen::Vector2d nearest = Eigen::Vector2d::Zero();
   if (count_ < 2 || (is_valid() && margin(point) >= 0.0)) return nearest;
   double min_distance = std::numeric_limits<double>::infinity();

@@ -20,19 +20,19 @@ class SupportPolygon {
   int edge_count() const noexcept { return is_valid() ? count_ : 0; }
   struct Edge {
     Eigen::Vector2d outward;  ///< normal of the edge, unit length, away from the polygon
-    /// [m] Distance from the edge line to the point given to edge(); negative: it is outside.
+    /// [m] Distance from the edge line to the point that edge() received; negative: outside.
     double margin;
   };
-  /// Compute the normal of edge k, 0 .. edge_count() - 1, and the margin of a point to this edge.
+  /// Compute the normal of edge k, 0 .. edge_count() - 1, and the margin of a point at this edge.
   Edge edge(int k, const Eigen::Vector2d& point) const noexcept;
 
-  /// Compute the smallest margin [m] of a point to any edge. Negative: the point is outside. 0 if
-  /// is_valid() is false.
+  /// Compute the smallest margin [m] of a point at any edge. Negative: the point is outside. If
+  /// is_valid() is false, return 0.
   double margin(const Eigen::Vector2d& point) const noexcept;
 
   /// Compute the vector [m] from the nearest point of the polygon to `point`. With two feet the
-  /// polygon is the segment between them. Zero if `point` is inside or there are fewer than two
-  /// feet.
+  /// polygon is the segment between them. Return zero if `point` is inside, or if there are fewer
+  /// than two feet.
   Eigen::Vector2d displacement_outside(const Eigen::Vector2d& point) const noexcept;
 
  private:

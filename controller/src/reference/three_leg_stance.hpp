@@ -9,7 +9,7 @@ namespace surefoot {
 /// Real-time: yes.
 class ThreeLegStance {
  public:
-  static constexpr int kNone = -1;
+  static constexpr int kNone = -1;  ///< value of lost_leg() if no leg is lost
 
   /// Declare a leg lost until reset().
   void declare_leg_lost(int leg) noexcept { lost_leg_ = leg; }
@@ -19,9 +19,9 @@ class ThreeLegStance {
   }
   int lost_leg() const noexcept { return lost_leg_; }  ///< 0 .. 3; kNone: no leg is lost
 
-  /// Update the shift by one tick; without a lost leg nothing changes.
+  /// Update the shift by one tick. Without a lost leg nothing changes.
   /// @param nominal_feet nominal foot positions, support frame [m]
-  /// @param p_com desired centre of mass in four-legged stance, support frame [m]
+  /// @param p_com desired centre of mass of the four-legged stance, support frame [m]
   void update(const FeetMatrix& nominal_feet, const Vector3& p_com, double dt) noexcept;
 
   /// Shift of the desired centre of mass, support axes [m].

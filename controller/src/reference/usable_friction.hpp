@@ -8,18 +8,18 @@ namespace surefoot {
 
 /// Share of RobotConfig::friction that the contact force of each foot may use.
 ///
-/// The ground may have less friction than RobotConfig::friction, and feet that use the whole
-/// friction cone would then slip. So the share is 0.7 while the capture point is far inside the
-/// support polygon, and rises to 1 as the capture point approaches a support edge. Two capture
-/// points count: the present one, and the one after 0.1 s more of the present external force. The
-/// share rises at once. It falls back within 0.1 s, because a sudden fall would make the contact
-/// forces jump. Real-time: yes.
+/// The ground may have less friction than RobotConfig::friction. Feet that use the whole friction
+/// cone would then slip. So the share is 0.7 while the capture point is far inside the support
+/// polygon, and rises to 1 as the capture point approaches a support edge. The smaller margin of
+/// two capture points counts: the present one, and the one after 0.1 s more of the present external
+/// force. The share rises at once. It falls over 0.1 s, because a sudden fall would make the
+/// contact forces jump. Real-time: yes.
 class UsableFriction {
  public:
   /// Compute the shares of this tick.
   /// @param mass mass of the robot [kg]
-  /// @return share of RobotConfig::friction for each foot, FR FL RR RL, 0 .. 1; never above
-  /// state.friction, the share that the estimator allows
+  /// @return share of RobotConfig::friction for each foot, FR FL RR RL, 0 .. 1. It never exceeds
+  ///   state.friction, the share that the estimator allows
   Eigen::Vector4d update(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass, double dt) noexcept;
   void reset() noexcept { share_ = 1.0; }

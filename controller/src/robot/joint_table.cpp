@@ -24,8 +24,8 @@ JointRow motor_row(const Robot& robot, int motor) {
   return row;
 }
 
-// A URDF without a limit gives 0 or infinity, but the QP needs a finite number: 1e4 N.m or rad/s,
-// far above any motor.
+// A URDF without a limit gives 0 or infinity, but the QP needs a finite number. The function then
+// returns 1e4 N.m or rad/s, far above the limit of any motor.
 double or_unlimited(double limit) { return limit > 0.0 && limit < 1e4 ? limit : 1e4; }
 
 }  // namespace

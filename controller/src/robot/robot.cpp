@@ -54,7 +54,7 @@ void match_joints(const pinocchio::Model& model, const RobotConfig& config, Robo
   }
 }
 
-// Each leg must be one chain from base to foot. Names in a wrong order would mix two legs.
+// Check that each leg is one chain from base to foot. Names in a wrong order would mix two legs.
 void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
   for (int leg = 0; leg < kLegs; ++leg) {
     for (int k = 1; k < kLegJoints; ++k) {
@@ -73,7 +73,7 @@ void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
 void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot::Data& data) {
   for (int leg = 0; leg < kLegs; ++leg) {
     const std::string& name = config.foot_frames[leg];
-    // A body and a joint may share a name: take the first frame of that name.
+    // A body and a joint may have the same name: take the first frame with this name.
     int id = -1;
     std::vector<std::string> names;
     for (std::size_t k = 0; k < model.frames.size(); ++k) {

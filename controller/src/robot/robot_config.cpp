@@ -103,7 +103,8 @@ void RobotConfig::validate() const {
 JointRange motion_range(const RobotConfig& config, int i) noexcept {
   JointRange range{config.q_lower[i], config.q_upper[i]};
   if (i % kLegJoints != 0) return range;
-  // The hip axis points forward, so a left leg moves under the trunk at negative angles.
+  // The hip axis points forward, so the foot of a left leg moves under the trunk at negative
+  // angles.
   const bool left = i / kLegJoints % 2 == 1;
   if (left) {
     range.lower = std::max(range.lower, -config.hip_inward);

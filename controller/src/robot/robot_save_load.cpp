@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Format of a .robot file: one line with magic word and version, the configuration as "key values"
-// lines, the serialised Pinocchio model, and a CRC-32 checksum of everything before it.
+// Format of a .robot file: one line with a magic word and the version, the configuration in lines
+// of a key and its values, the serialised Pinocchio model, and a CRC-32 checksum of all that
+// precedes.
 #include <boost/crc.hpp>
 #include <filesystem>
 #include <fstream>
@@ -19,8 +20,8 @@ namespace {
 constexpr char kMagic[] = "surefoot-robot";
 constexpr int kVersion = 1;
 
-// A field of the configuration, with functions that write and read it. Saving and loading use the
-// same table of fields, so that they agree.
+// A field of the configuration, with the functions that write and read it. Saving and loading use
+// the same table of fields, so both always agree.
 struct Field {
   std::string key;
   std::function<void(std::ostream&)> write;
@@ -124,7 +125,8 @@ void read_config(const std::string& path, std::istream& in, RobotConfig& config)
   }
 }
 
-// Remove the checksum line from the end of `content` and compare the checksum.
+// Remove the checksum line from the end of `content`, and compare its checksum with that of the
+// rest.
 void check_integrity(const std::string& path, std::string& content) {
   const std::size_t cut = content.rfind("\nchecksum ");
   if (cut == std::string::npos) fail(path, "the end is missing (no checksum line)");

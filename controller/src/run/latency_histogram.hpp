@@ -12,13 +12,17 @@ class LatencyHistogram {
   void add(double microseconds) noexcept;
 
   std::uint64_t count() const noexcept { return count_; }
-  /// Return the quantile for `share`, 0 .. 1: the upper edge of its bin [us]. The result is 0
-  /// without durations.
+  /// Return the quantile for `share`, 0 .. 1, as the upper edge of its bin [us]. Return 0 if there
+  /// are no durations.
   double quantile(double share) const noexcept;
-  double greatest() const noexcept { return greatest_; }  ///< [us] largest duration, exact
+  double greatest() const noexcept {
+    return greatest_;
+  }  ///< [us] largest duration, not rounded to
+     ///< a bin
 
  private:
-  static constexpr int kBins = 16 * 22;  // bins per octave times octaves; see latency_histogram.cpp
+  // Bins per octave times number of octaves, see latency_histogram.cpp.
+  static constexpr int kBins = 16 * 22;
   std::array<std::uint32_t, kBins> bins_{};
   std::uint64_t count_ = 0;
   double greatest_ = 0.0;

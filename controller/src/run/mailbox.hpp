@@ -5,20 +5,20 @@
 
 namespace surefoot {
 
-/// Slot for one message from other threads to the loop. A newer message replaces an older one.
+/// Slot for one message from other threads to the loop. A new message replaces an unread message.
 template <typename T>
 class Mailbox {
  public:
-  /// Store a message. Call it from any thread but the loop's. Real-time: no.
+  /// Store a message. Call it from any thread except that of the loop. Real-time: no.
   void put(const T& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     message_ = message;
     has_message_ = true;
   }
 
-  /// Take the message out. Never waits. Real-time: yes.
-  /// @return false if there is no message, or if another thread is writing one: try again in the
-  ///   next tick
+  /// Take the message out of the slot. Never waits. Real-time: yes.
+  /// @return false if there is no message, or if another thread is just writing one; the caller
+  ///   then tries again in the next tick
   bool take(T& message) noexcept {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
     if (!lock.owns_lock() || !has_message_) return false;

@@ -17,8 +17,8 @@ namespace surefoot {
 
 namespace {
 
-// SCHED_FIFO priority, 1 .. 99. Chosen. Lower than the kernel's threads (99), higher than the
-// kernel's threaded interrupts (50).
+// SCHED_FIFO priority, 1 .. 99. Chosen lower than the kernel's own threads (99), and higher than
+// the kernel's threaded interrupts (50).
 constexpr int kPriority = 80;
 
 timespec to_timespec(double seconds) noexcept {
@@ -40,7 +40,7 @@ RealTimeScope::RealTimeScope() {
                                  std::strerror(error_code) + ")";
   rlimit memory_limit{};
   getrlimit(RLIMIT_MEMLOCK, &memory_limit);
-  // With a limit on locked memory, MCL_FUTURE would make later allocations fail.
+  // If locked memory is limited, MCL_FUTURE would make later allocations fail.
   const int lock_flags = MCL_CURRENT | (memory_limit.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
   locked_ = mlockall(lock_flags) == 0;
   const char* locked_text =

@@ -6,7 +6,7 @@
 namespace surefoot {
 
 /// Scope in which the calling thread has real-time priority and locked memory, as far as the system
-/// permits. The destructor releases both. Real-time: no.
+/// permits. The destructor ends both. Real-time: no.
 class RealTimeScope {
  public:
   RealTimeScope();
@@ -14,9 +14,9 @@ class RealTimeScope {
   RealTimeScope(const RealTimeScope&) = delete;
   RealTimeScope& operator=(const RealTimeScope&) = delete;
 
-  /// Return the scheduling obtained, in words.
+  /// Return a text that describes the scheduling obtained.
   const std::string& scheduling() const noexcept { return scheduling_; }
-  /// Return the memory locking obtained, in words.
+  /// Return a text that describes the memory locking obtained.
   const std::string& memory() const noexcept { return memory_; }
 
  private:
@@ -24,16 +24,16 @@ class RealTimeScope {
   std::string scheduling_, memory_;
 };
 
-/// Timer with absolute deadlines, one period apart. The timer skips missed periods, so ticks never
-/// run back to back to catch up. Real-time: yes.
+/// Timer with absolute deadlines, one period apart. It skips missed periods, so ticks never follow
+/// each other without a pause to catch up. Real-time: yes.
 class PeriodicTimer {
  public:
   /// @param period [s]
   explicit PeriodicTimer(double period);
 
-  /// Sleep until the next deadline. @return delay from the deadline to waking up [us]
+  /// Sleep until the next deadline. @return time from the deadline until waking up [us]
   double wait() noexcept;
-  long missed() const noexcept { return missed_; }  ///< number of periods skipped
+  long missed() const noexcept { return missed_; }  ///< number of skipped periods
 
  private:
   double period_, next_deadline_;

@@ -7,11 +7,11 @@ namespace surefoot {
 
 namespace {
 
-// Displacements at full deflection. Chosen. Large enough for an operator to see; ReachCheck limits
-// them on every robot.
+// Displacements at full deflection of a stick. Chosen large enough for an operator to see;
+// ReachCheck limits them on every robot.
 constexpr double kForward = 0.04, kSideways = 0.03, kHeight = 0.03;  // [m]
 constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad]
-// Dead zone, as a share of full deflection. Chosen. Larger than the offset of a released stick.
+// Dead zone, as a share of full deflection. Chosen larger than the offset of a released stick.
 constexpr float kDeadZone = 0.05F;
 
 double beyond_dead_zone(float stick) noexcept { return std::abs(stick) > kDeadZone ? stick : 0.0; }

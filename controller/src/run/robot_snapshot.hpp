@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// Write the robot's pose, desired forces, contacts, tracking errors, torques and power into a
+/// Write pose, desired forces, contacts, tracking errors, torques and power of the robot into a
 /// snapshot. Real-time: yes.
 void write_robot_snapshot(const StandController& controller, const LowState& state,
                           const Vector12& tau_max, RunSnapshot& snapshot) noexcept;

@@ -13,8 +13,8 @@ void RunOptions::validate() const {
     throw Error(std::string("option '") + name + "' out of range: got " + to_text(got) +
                 ", expected " + to_text(least) + " .. " + to_text(most) + unit);
   };
-  // Chosen: TickClock integrates 10 ms at most (100 Hz); LowState::tick counts ms (1000 Hz). The
-  // log of 600 s at 500 Hz bounds the memory.
+  // Chosen. Rate: the controller integrates at most 10 ms in one step (TickClock, 100 Hz), and
+  // LowState::tick counts milliseconds (1000 Hz). Log: 600 s at 500 Hz keep the memory bounded.
   check("rate", rate, 100.0, 1000.0, " [Hz]");
   check("power_level", power_level, 0, 10, " (0 switches the protection off)");
   if (start == Start::kLying) {

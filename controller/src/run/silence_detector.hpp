@@ -8,37 +8,40 @@
 
 namespace surefoot {
 
-/// Detector of a robot that sends no samples. A stall of this machine does not count as silence.
+/// Detects a robot that sends no samples. A stall of this machine does not count as silence.
 /// Real-time: yes.
 class SilenceDetector {
  public:
-  /// Record that a sample was used. @param time of the loop [s] @param tick its LowState::tick
+  /// Record that a sample was used.
+  /// @param time present time of the loop [s]
+  /// @param tick LowState::tick of the sample
   void on_sample(double time, std::uint32_t tick) noexcept {
     listening_time_ = 0.0;
     last_sample_time_ = time;
     last_tick_ = tick;
   }
 
-  /// Return whether the robot is silent; call it in each tick of the loop without a sample.
+  /// Return whether the robot is silent. Call it in each tick of the loop that has no sample.
   ///
-  /// A stall of this machine also delays a robot simulated on it. So silence counts only after this
-  /// process has listened for kMinListeningTime.
-  /// @param age of the newest sample [s]
+  /// A stall of this machine also delays a robot that is simulated on it. So silence counts only
+  /// after this process has listened for kMinListeningTime.
+  /// @param age age of the newest sample [s]
   /// @param elapsed time since the last tick of the loop [s]
-  /// @param period of the loop [s]
+  /// @param period period of the loop [s]
   bool is_stale(double age, double elapsed, double period) noexcept {
     listening_time_ += std::min(elapsed, 2.0 * period);
     return age > kStaleTime && listening_time_ > kMinListeningTime;
   }
 
-  /// Return whether the silence is short enough to resume control. @param time of the loop [s]
+  /// Return whether the silence is short enough to resume control. @param time time of the loop [s]
   bool recoverable(double time) const noexcept {
     return time - last_sample_time_ < kMaxRecoverableSilence;
   }
 
-  /// Return whether the robot's clock paused during the silence, so that the robot has not moved.
-  /// The clock of a virtual robot pauses with its process; the clock of a real robot does not.
-  /// @param time of the loop [s]
+  /// Return whether the robot's clock paused during the silence, which means that the robot has not
+  /// moved. The clock of a virtual robot pauses with its process; the clock of a real robot does
+  /// not.
+  /// @param time present time of the loop [s]
   /// @param tick LowState::tick of the sample after the silence
   bool robot_clock_paused(double time, std::uint32_t tick) const noexcept {
     return recoverable(time) && 1e-3 * (tick - last_tick_) <= kHoldTime;
@@ -46,15 +49,15 @@ class SilenceDetector {
 
  private:
   // [s] Shortest listening time before silence counts. Chosen: four ticks of the loop at 500 Hz
-  // (git 09dfc10). If smaller: a sample could still wait in the socket. Upper limit:
+  // (git 09dfc10). If shorter: a sample could still wait in the socket. Upper limit:
   // test_silent_robot_is_stale_within_60_ms_at_every_rate.
   static constexpr double kMinListeningTime = 0.007;
-  // [s] Longest silence after which control resumes. Equal to kRobotWatchdogTime.
+  // [s] Longest silence after which control may resume. Equal to kRobotWatchdogTime.
   static constexpr double kMaxRecoverableSilence = 0.1;
 
-  double listening_time_ = 0.0;    // [s] time that this process ran without a sample
-  double last_sample_time_ = 0.0;  // [s] when the last sample was used
-  std::uint32_t last_tick_ = 0;    // LowState::tick of that sample
+  double listening_time_ = 0.0;    // [s] time for which this process has run without a sample
+  double last_sample_time_ = 0.0;  // [s] time of the loop when the last sample was used
+  std::uint32_t last_tick_ = 0;    // LowState::tick of the last sample that was used
 };
 
 }  // namespace surefoot

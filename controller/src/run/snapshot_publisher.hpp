@@ -12,15 +12,16 @@ namespace surefoot {
 /// Passes snapshots of the loop to other threads.
 class SnapshotPublisher {
  public:
-  /// Publish a snapshot from the loop; skipped while another thread reads. Real-time: yes.
+  /// Publish a snapshot from the loop. It is skipped while another thread reads. Real-time: yes.
   void publish(const RunSnapshot& snapshot, const LatencyHistogram& tick_latencies,
                const LatencyHistogram& wake_latencies, long missed) noexcept;
-  /// Publish the last snapshot at the end of the loop; waits for threads that read. Real-time: no.
+  /// Publish the last snapshot, at the end of the loop. This waits for other threads. Real-time:
+  /// no.
   void publish_final(const RunSnapshot& snapshot, const LatencyHistogram& tick_latencies,
                      const LatencyHistogram& wake_latencies, long missed);
   void set_real_time(const std::string& words);
 
-  /// Return the last published snapshot with its latency quantiles. Call it from other threads.
+  /// Return the last published snapshot and its latency quantiles. Call it from other threads.
   RunSnapshot snapshot() const;
   std::string real_time() const;
 

@@ -10,8 +10,8 @@ namespace surefoot {
 
 namespace {
 
-// Number of datagrams of another generation that ends the run. Chosen. Larger than a few stray
-// datagrams, and reached within 20 ms at 500 Hz.
+// The run ends after this number of datagrams of another generation. Chosen larger than a few stray
+// datagrams; the number is reached within 20 ms at 500 Hz.
 constexpr std::uint64_t kMaxWrongGeneration = 10;
 
 const RunOptions& checked_options(const RunOptions& options, const UdpLinkOptions& link) {
@@ -50,7 +50,7 @@ void StandLoop::tick(double time, double elapsed) noexcept {
   apply_requests();
   const bool has_new_state = link_.receive();
   if (stop_requested_.load()) end(RunReason::kRequested);
-  // If damping is requested while the robot already damps, the request becomes the reason.
+  // If damping is requested while the robot already damps, this request becomes the reason.
   if (damp_requested_.exchange(false) && snapshot_.phase == RunPhase::kDamping)
     snapshot_.reason = RunReason::kRequested;
   if (ended()) {
@@ -95,8 +95,8 @@ void StandLoop::send(const LowCmd& command, bool has_new_state) noexcept {
   log(command, has_new_state);
 }
 
-// The supervisor receives only the newest sample of a tick. So pass it the link's counts of all
-// samples.
+// The supervisor receives only the newest sample of a tick. So it also gets the link's counts of
+// all samples.
 void StandLoop::count_samples() noexcept {
   const LinkCounts& counts = link_.counts();
   supervisor_.count_samples(static_cast<double>(counts.valid - counted_valid_),
@@ -122,8 +122,8 @@ const LowCmd& StandLoop::control(const LowState& state) noexcept {
   return command;
 }
 
-// Return the command of a tick without a new sample: first the last command, then damping, then
-// latched damping.
+// Return the command for a tick without a new sample: first the last command, later damping, and at
+// last latched damping.
 const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexcept {
   snapshot_.ticks_without_state += snapshot_.phase != RunPhase::kDamping;
   const LowCmd& command = supervisor_.update_without_state(age);
@@ -137,8 +137,8 @@ const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexce
   return command;
 }
 
-// Handle the first sample after a silence: resume control if the robot's clock paused too, else
-// report the link as lost.
+// Handle the first sample after a silence. If the robot's clock paused too, resume control;
+// otherwise report the link as lost.
 void StandLoop::resume_or_report_lost() noexcept {
   if (supervisor_.armed() &&
       silence_detector_.robot_clock_paused(snapshot_.time, link_.state().tick)) {
@@ -163,13 +163,14 @@ void StandLoop::sit_down_and_end() noexcept {
       (!is_up && !supervisor_.fading())) {
     end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
-    supervisor_.request(Mode::kSit);  // refused while torques fade: repeated in the next tick
+    // Rejected while torques fade, so it is repeated in the next tick.
+    supervisor_.request(Mode::kSit);
   }
 }
 
 void StandLoop::end(RunReason why) noexcept {
-  // If the robot already damps, keep the reason for damping. If no robot was found, the reason is
-  // kNoState, even if the end was requested.
+  // If the robot already damps, the reason for damping is kept. If no robot was found, the reason
+  // is kNoState, even if the end was requested.
   if (snapshot_.phase == RunPhase::kWaiting && why == RunReason::kRequested)
     why = RunReason::kNoState;
   if (snapshot_.phase != RunPhase::kDamping) snapshot_.reason = why;

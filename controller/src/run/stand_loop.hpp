@@ -9,26 +9,26 @@
 
 namespace surefoot {
 
-/// Body of a StandRunner's loop: receives samples, chooses the command to send, and records why the
-/// robot damps or the run ends. It reads no clock: the caller passes the time.
+/// Body of a StandRunner's loop. It receives samples, chooses the command to send, and records why
+/// the robot damps or the run ends. It reads no clock, because the caller passes the time.
 ///
 /// The Supervisor decides what the robot does. The loop decides whether the link to the robot
 /// works, and when the run ends.
 class StandLoop {
  public:
-  /// Throws surefoot::Error, see StandRunner.
+  /// Throw surefoot::Error under the conditions of StandRunner.
   StandLoop(const Robot& robot, const Gains& gains, const StandOptions& stand,
             const UdpLinkOptions& link, const RunOptions& options);
 
   /// Receive samples, compute the command and send it. Real-time: yes.
-  /// @param time since the loop began [s]
+  /// @param time time since the loop began [s]
   /// @param elapsed time since the last tick [s]
   void tick(double time, double elapsed) noexcept;
   bool ended() const noexcept { return snapshot_.phase == RunPhase::kEnded; }
   /// Send damping. Real-time: yes.
   void send_damping() noexcept { link_.send(damping_); }
 
-  // From any thread, and from a signal handler:
+  // From any thread, also from a signal handler:
   RequestStatus request(Mode mode) noexcept { return supervisor_.request(mode); }
   RequestStatus arm() noexcept { return supervisor_.arm(); }
   void rearm() noexcept;
@@ -41,7 +41,7 @@ class StandLoop {
   void set_gains(const Gains& gains);  ///< throws surefoot::Error
   void set_body_reference(const BodyReference& target) { reference_mailbox_.put(target); }
 
-  /// Return the state of the loop; SnapshotPublisher adds missed periods and latencies. Real-time:
+  /// Return the state of the loop. SnapshotPublisher adds missed periods and latencies. Real-time:
   /// yes.
   const RunSnapshot& snapshot() noexcept;
   /// Return whether the phase has changed since the last call. Real-time: yes.
@@ -74,20 +74,23 @@ class StandLoop {
   Vector12 tau_max_;  // [N.m]
   LowCmd damping_;    // sent before the first LowState, and at the end
   Gains gains_;
-  BodyReference requested_pose_;  // without the offsets from the remote's sticks
+  // Pose requested by set_body_reference(), without the offsets of the remote's sticks.
+  BodyReference requested_pose_;
   Mailbox<Gains> gains_mailbox_;
   Mailbox<BodyReference> reference_mailbox_;
   SilenceDetector silence_detector_;
-  bool robot_silent_ = false;                      // the robot is silent, and control may resume
-  RunReason link_loss_reason_ = RunReason::kNone;  // reason to report for FaultId::kLink
+  // true: the robot is silent, and control may resume.
+  bool robot_silent_ = false;
+  RunReason link_loss_reason_ = RunReason::kNone;  // reason that is reported for FaultId::kLink
   RunSnapshot snapshot_;
   RunLog log_;
-  double last_driven_time_ = -1.0;      // [s] when motors were last driven; negative: never
-  double duration_start_ = -1.0;        // [s] when RunOptions::duration began; negative: not yet
-  std::uint64_t counted_restarts_ = 0;  // restarts of the robot already handled
-  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // samples already counted by the supervisor
+  double last_driven_time_ = -1.0;  // [s] time when motors were last driven; negative: never
+  // [s] Time when RunOptions::duration began; negative: not yet.
+  double duration_start_ = -1.0;
+  std::uint64_t counted_restarts_ = 0;  // number of restarts of the robot that have been handled
+  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // samples that the supervisor has counted
   bool phase_changed_ = false;
-  bool stood_as_requested_ = false;  // the robot stands, or has lain down on request
+  bool stood_as_requested_ = false;  // true if the robot stands, or has lain down on request
   std::atomic<bool> stop_requested_{false}, damp_requested_{false}, finish_requested_{false};
   std::atomic<std::uint64_t> refused_rearms_{0};
 };

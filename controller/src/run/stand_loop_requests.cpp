@@ -38,8 +38,8 @@ void StandLoop::apply_requests() noexcept {
   BodyReference requested_pose;
   if (!reference_mailbox_.take(requested_pose)) return;
   supervisor_.set_body_reference(requested_pose);
-  // The supervisor refuses a pose that is not finite. Keep the last finite pose, to which the
-  // sticks add.
+  // The supervisor rejects a pose that is not finite. Keep the last finite pose, to which the
+  // offsets of the sticks are added.
   if (is_finite(requested_pose)) requested_pose_ = requested_pose;
 }
 

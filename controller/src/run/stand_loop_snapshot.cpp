@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-// Log until log_tail after the robot was last driven: a long damping must not overwrite the ticks
-// that led to it.
+// Log for log_tail after the motors were last driven. A longer log of damping would overwrite the
+// ticks that led to it.
 void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   const Mode mode = supervisor_.mode();
   const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s]
@@ -40,7 +40,7 @@ void StandLoop::update_phase() noexcept {
   snapshot_.phase = phase;
 }
 
-// A robot that already lies may damp and still count as having stood as requested.
+// A robot that already lies may damp, and still has stood as requested.
 void StandLoop::update_stood_as_requested(Mode before) noexcept {
   if (snapshot_.mode == before) return;
   const bool damped_while_driven = snapshot_.mode == Mode::kDamping && before != Mode::kPassive;

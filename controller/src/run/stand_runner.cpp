@@ -14,14 +14,14 @@ namespace surefoot {
 
 namespace {
 
-// [s] Duration of the damping frames at the end of a run. They are repeated because UDP may lose
-// some. Derived: twice kRobotWatchdogTime.
+// [s] Time for which damping frames are sent at the end of a run. They are repeated because UDP may
+// lose some of them. Derived: twice kRobotWatchdogTime.
 constexpr double kFinalDampingTime = 0.2;
-// [s] Time between published snapshots. Chosen. If smaller: the loop spends more time on copies,
-// one per snapshot. If larger: too slow for an operator to watch.
+// [s] Time between published snapshots. Chosen. If shorter: the loop spends more time on copies. If
+// longer: too slow for an operator to watch.
 constexpr double kPublishPeriod = 0.05;
 
-/// Flag that is set while the loop runs, and cleared also if an exception ends it.
+/// Flag that is set while the loop runs. It is also cleared if an exception ends the loop.
 class RunningFlag {
  public:
   explicit RunningFlag(std::atomic<bool>& flag) : flag_(flag) { flag_.store(true); }

@@ -6,35 +6,35 @@
 
 namespace surefoot {
 
-/// Command hold: continues for a short time without a good command, then latches damping.
+/// Command hold: continues for a short time when there is no good command, then latches damping.
 ///
-/// Until kHoldTime after the last good command, it repeats the last command or passes on a fallback
-/// command. In damping, the motor drivers brake by themselves (Kd > 0, dq = 0), so damping
-/// continues if this process dies. Before the first good command it damps without latching.
+/// Until kHoldTime after the last good command, it repeats this command or sends a fallback
+/// command. After that it latches damping: the motor drivers then brake by themselves (Kd > 0,
+/// dq = 0), even if this process dies. Before the first good command it damps without latching.
 /// Real-time: yes.
 class CommandHold {
  public:
   /// Store and return the good command of this tick. The age becomes 0.
   const LowCmd& accept(const LowCmd& command) noexcept;
 
-  /// Return the command of a tick without a good command: the last command until kHoldTime after
-  /// the last good command, then damping, latched.
+  /// Return the command for a tick without a good command. Until kHoldTime after the last good
+  /// command this is the last command; after that it is damping, which is then latched.
   /// @param elapsed duration of this tick [s]
   /// @param damping_kd Kd of damping [N.m.s/rad]
   const LowCmd& repeat_or_damp(double elapsed, double damping_kd) noexcept;
 
-  /// Do the same as repeat_or_damp(), but return `command` instead of the last command: a fallback
-  /// command that was computed from the present state.
+  /// Do the same as repeat_or_damp(), but return `command` instead of the last command. `command`
+  /// is a fallback command, computed from the present state.
   const LowCmd& substitute(const LowCmd& command, double elapsed, double damping_kd) noexcept;
 
   /// Return damping without latching it, for a period without a sample. The age of the last good
-  /// command does not change.
+  /// command stays unchanged.
   const LowCmd& damp(double damping_kd) noexcept;
 
   double age() const noexcept { return age_; }  ///< [s] time since the last good command
-  const LowCmd& last() const noexcept { return command_; }  ///< last command returned
+  const LowCmd& last() const noexcept { return command_; }  ///< the command that was returned last
   bool latched() const noexcept { return latched_; }
-  /// Return whether a good command was accepted and damping is not latched.
+  /// Return whether there has been a good command and damping is not latched.
   bool in_control() const noexcept { return has_command_ && !latched_; }
   void reset() noexcept { *this = CommandHold(); }
 

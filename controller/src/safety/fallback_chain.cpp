@@ -12,8 +12,9 @@ namespace surefoot {
 
 namespace {
 
-// Number of iterations: the first distributes the wrench, the others what clamping lost. Chosen. If
-// smaller: not enough for feet at their friction cones. If larger: long compared with a tick.
+// Number of iterations. The first iteration distributes the wrench, the others distribute what
+// clamping has removed. Chosen. If smaller: not enough for feet at their friction cones. If larger:
+// too slow for a tick.
 constexpr int kShareIterations = 10;
 
 Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double friction,
@@ -104,7 +105,7 @@ bool FallbackChain::try_forces(const Dynamics& dynamics, const RobotState& state
   return try_torques(torques, state);
 }
 
-// Accept all twelve torques or none: a part of them would push the robot over.
+// Accept all twelve torques or none, because only some of them would push the robot over.
 bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state) noexcept {
   const RobotConfig& config = robot_.config();
   Vector12 clipped;
@@ -112,8 +113,8 @@ bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state
     const double dq = state.v[robot_.motor_to_v()[i]];
     clipped[i] = within_motor_limits(config, i, torques[i], dq, torque_share_[i]);
   }
-  // Clipping makes infinities finite, so check the torques before clipping too. The comparison
-  // below is false for NaN.
+  // Clipping makes infinite torques finite, so the torques before clipping are checked too. The
+  // comparison below is false for NaN.
   if (!torques.allFinite() || !(clipped.array().abs() <= config.tau_max.array()).all()) {
     return false;
   }

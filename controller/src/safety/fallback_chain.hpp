@@ -9,23 +9,25 @@
 
 namespace surefoot {
 
-/// Contact forces [N], world axes, one column per foot, and the wrench that they were planned for.
+/// Contact forces [N], world axes, one column per foot, and the contact wrench for which they were
+/// planned.
 struct PlannedForces {
   FeetMatrix forces = FeetMatrix::Zero();
   FeetWrench wrench{Vector3::Zero(), Vector3::Zero()};
 };
 
-/// Levels of the fallback chain that need no QP. They compute torques from the present state after
-/// both solves have failed.
+/// The levels of the fallback chain that need no QP. They compute torques from the present state
+/// after both solves have failed.
 ///
-/// The levels ignore custom tasks. CommandHold limits how long their commands may act. Real-time:
-/// yes.
+/// These levels ignore custom tasks. CommandHold limits the time for which their commands may act.
+/// Real-time: yes.
 class FallbackChain {
  public:
   explicit FallbackChain(const Robot& robot)
       : robot_(robot), unloaded_state_(robot.nq(), robot.nv()) {}
 
-  /// Store the forces of a solved tick, and the contact wrench that its body tasks required.
+  /// Store the contact forces of a solved tick, and the contact wrench that the body tasks of that
+  /// tick required.
   void remember(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                 const Reference& reference, const FeetMatrix& forces) noexcept;
 
@@ -36,13 +38,13 @@ class FallbackChain {
   ///                produces the whole desired wrench.
   ///   kLastForces: the same, where f are the forces of the last solution
   ///   kGravity:    holding_torques() of a robot without payload; the motors damp too
-  /// @return the level, or kHold if none gives finite torques
+  /// @return the level, or kHold if no level gives finite torques
   FallbackLevel compute_fallback(const Gains& gains, const Dynamics& dynamics,
                                  const RobotState& state, const Reference& reference) noexcept;
 
-  /// Torques of the last level found, SDK motor order, within the motor limits [N.m].
+  /// Torques of the level that was found last [N.m], SDK motor order, within the motor limits.
   const Vector12& torques() const noexcept { return torques_; }
-  /// Motor-side damping to add to these torques [N.m.s/rad].
+  /// Motor-side damping [N.m.s/rad] to be added to these torques.
   double damping() const noexcept { return damping_; }
 
   /// See WholeBodyController::set_torque_share().
@@ -71,14 +73,14 @@ struct ForceCones {
   Eigen::Vector4d normal_max;  ///< [N]
 };
 
-/// Add to contact forces the smallest changes df_i that change the wrench about the centre of mass
-/// by `wrench_change`:
+/// Change contact forces so that their wrench about the centre of mass changes by `wrench_change`.
+/// The changes df_i of the forces are as small as possible:
 ///   minimise    sum |df_i|^2 / share_i
 ///   subject to  sum df_i = force,  sum (p_i - p_com) x df_i = moment   of wrench_change
-/// Then each force is clamped to its cone. Nine further iterations distribute the wrench that
-/// clamping lost. Real-time: yes.
+/// Then each force is clamped to its cone. Nine more iterations distribute the part of the wrench
+/// that clamping has removed. Real-time: yes.
 /// @param forces contact forces to change, world axes [N]
-/// @param share share of its even load that each foot may take, 0 .. 1
+/// @param share share of its even load that each foot may carry, 0 .. 1, FR FL RR RL
 /// @return forces + df, clamped, world axes [N]
 FeetMatrix add_wrench(const Dynamics& dynamics, const FeetMatrix& forces,
                       const FeetWrench& wrench_change, const Eigen::Vector4d& share,

@@ -6,14 +6,15 @@
 
 namespace surefoot {
 
-/// Compute the torques that hold a standing robot, with the most even contact forces f:
+/// Compute the torques that hold a standing robot with the most even contact forces f:
 ///   tau_leg = h_leg - J_leg^T f
 ///   sum f = m g up - f_sustained,   sum (p - c) x f = -moment_external
-/// with c the centre of mass; h_leg includes Coriolis and centrifugal forces. Friction and torque
-/// limits are ignored. A foot that would have to pull on the ground gets no force. Real-time: yes.
-/// @param mass of the robot [kg]
+/// where c is the centre of mass. h_leg includes Coriolis and centrifugal forces. Friction and
+/// torque limits are ignored. A foot that would have to pull on the ground gets no force.
+/// Real-time: yes.
+/// @param mass mass of the robot [kg]
 /// @param state only f_sustained and moment_external are used
-/// @param share share of its even load that each foot may take, 0 .. 1, FR FL RR RL
+/// @param share share of its even load that each foot may carry, 0 .. 1, FR FL RR RL
 /// @return shape (12,), SDK motor order [N.m]
 Vector12 holding_torques(const Dynamics& dynamics, double mass, const RobotState& state,
                          const Eigen::Vector4d& share) noexcept;

@@ -7,16 +7,17 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kBisections = 50;  // of [0, 1]; derived: 2^-50, about the resolution of a double
+// Bisections of [0, 1]; derived: 2^-50, about the resolution of a double.
+constexpr int kBisections = 50;
 
-/// Power as a function of s: motor i takes a_i + s b_i [W].
+/// Power as a function of s: the power of motor i is |a_i + s b_i| [W].
 struct PowerLine {
   Vector12 a, b;
   double at(double s) const noexcept { return (a + s * b).cwiseAbs().sum(); }
 };
 
-// Return the s of least power. The power is convex and piecewise linear in s, so it is smallest at
-// an end of [0, 1] or at a kink. At a kink the power of a motor changes its sign.
+// Return the s with the smallest power. The power is convex and piecewise linear in s, so it is
+// smallest at an end of [0, 1] or at a kink. A kink is where the power of a motor changes its sign.
 double min_power_scale(const PowerLine& line) noexcept {
   double best = 0.0;
   const auto consider = [&](double s) {
@@ -30,8 +31,8 @@ double min_power_scale(const PowerLine& line) noexcept {
   return best;
 }
 
-// Return the largest s whose power is within the limit. Above the s of least power, the power never
-// falls, so it crosses the limit once.
+// Return the largest s whose power is within the limit. Above `least`, the s with the smallest
+// power, the power never falls, so it crosses the limit at most once.
 double max_scale(const PowerLine& line, double limit, double least) noexcept {
   if (line.at(1.0) <= limit) return 1.0;
   double within = least, beyond = 1.0;
@@ -50,7 +51,7 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
   out.torques = tau;
   const PowerLine line{(hold - damping * dq).cwiseProduct(dq), (tau - hold).cwiseProduct(dq)};
   out.power = line.at(1.0);
-  // Finite and within the limit: return the torques without a change of any bit.
+  // Finite and within the limit: return the torques bit by bit as they are.
   if (out.power <= limit && std::isfinite(out.power)) return out;
   if (!(line.a.allFinite() && line.b.allFinite())) {
     out.torques = hold.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });

@@ -8,13 +8,13 @@ namespace surefoot {
 /// Torques within a power limit, and the scale that limited them.
 struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
-  double scale = 1.0;                   ///< s. 1: the desired torques; 0: the holding torques
+  double scale = 1.0;                   ///< the factor s; 1: desired torques, 0: holding torques
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
-  bool limit_exceeded = false;          ///< true if no s meets the limit
+  bool limit_exceeded = false;          ///< true if the power exceeds the limit for every s
 };
 
-/// Compute the power of the motors, sum |(tau - damping dq) dq| [W]. All shapes (12,). Real-time:
-/// yes.
+/// Compute the power of the motors [W], sum |(tau - damping dq) dq|. tau and dq: shape (12,).
+/// Real-time: yes.
 inline double power_of(const Vector12& tau, const Vector12& dq, double damping) noexcept {
   return (tau - damping * dq).cwiseProduct(dq).cwiseAbs().sum();
 }
@@ -23,13 +23,13 @@ inline double power_of(const Vector12& tau, const Vector12& dq, double damping) 
 ///
 ///   tau(s) = hold + s (tau - hold)    P(s) = sum over i of |(tau_i(s) - damping dq_i) dq_i|
 ///
-/// The result has the largest s in [0, 1] with P(s) <= limit. P is convex, so above the s of least
-/// power it never falls. If no s meets the limit, s is 0: the result is the holding torques. If a
-/// number is not finite, s is also 0, and holding torques that are not finite become 0.
-/// Real-time: yes.
+/// The result has the largest s in [0, 1] with P(s) <= limit. P is convex, so it never falls above
+/// the s with the smallest power. If no s satisfies the limit, s is 0: the result is the holding
+/// torques. If a number is not finite, s is 0 too, and holding torques that are not finite are set
+/// to 0. Real-time: yes.
 /// @param tau desired torques, shape (12,) [N.m]
-/// @param hold torques that hold the robot against gravity, shape (12,) [N.m]
-/// @param dq joint velocities, in the same order [rad/s]
+/// @param hold holding torques: they hold the robot against gravity, shape (12,) [N.m]
+/// @param dq joint velocities, in the same order as the torques [rad/s]
 /// @param limit largest power [W]; may be infinite
 /// @param damping motor-side damping added to the torques [N.m.s/rad]
 LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vector12& dq,

@@ -10,18 +10,18 @@ namespace surefoot {
 
 /// Detector of runaway legs: predicts how much the power of a leg will rise.
 ///
-/// Within 15 ms, a leg whose foot slips off or loses contact can take as much power as all four
-/// legs may take. A limit on the present power would act too late, because the power is measured 5
-/// ms late and the command acts another 5 ms later. So the class extrapolates the joint velocities.
-/// Real-time: yes.
+/// A leg whose foot slips off or loses contact can, within 15 ms, take as much power as is allowed
+/// for all four legs. A limit on the present power would act too late, because the power is
+/// measured 5 ms late and the command acts another 5 ms later. So the class extrapolates the joint
+/// velocities. Real-time: yes.
 class RunawayLegs {
  public:
   /// Update the joint accelerations; call it once per tick.
   /// @param dq joint velocities, shape (12,), motor order [rad/s]
   /// @param dt time since the last call [s]
   void update(const Vector12& dq, double dt) noexcept {
-    // TickClock reports a longer gap as kMaxStep, and over a gap the acceleration is unknown. A
-    // velocity step of kMaxSpeedStep or more is a sensor error.
+    // Over a step of kMaxStep or more the acceleration is unknown; TickClock returns kMaxStep for a
+    // confirmed jump. A velocity step of kMaxSpeedStep or more is a sensor error.
     const bool is_continuous = has_dq_ && dt > 0.0 && dt < TickClock::kMaxStep;
     if (is_continuous && (dq - dq_).cwiseAbs().maxCoeff() < kMaxSpeedStep) {
       ddq_ += dt / (dt + kSmoothingTime) * ((dq - dq_) / dt - ddq_);
@@ -31,8 +31,8 @@ class RunawayLegs {
     dq_ = dq;
     has_dq_ = dq.allFinite();
   }
-  /// Return by how much the power of a leg will rise within kLookahead at its present acceleration
-  /// [W]. Power that drives a joint counts; power that brakes a joint does not.
+  /// Return how much the power of a leg will rise within kLookahead at its present joint
+  /// accelerations [W]. Only power that drives a joint counts, not power that brakes a joint.
   /// @param tau torques, shape (12,), motor order, motor-side damping included [N.m]
   double power_rise(const Vector12& tau, int leg) const noexcept {
     double watts = 0.0;
@@ -45,15 +45,15 @@ class RunawayLegs {
   void reset() noexcept { *this = {}; }
 
  private:
-  // [s] Time over which joint velocities are extrapolated. From pushed go2s (git de2557d): within
-  // this time a runaway leg takes the power allowed for four legs. A longer time would also limit
-  // landings.
+  // [s] Time over which joint velocities are extrapolated. Measured with pushed go2s (git de2557d):
+  // within this time the power of a runaway leg reaches the power allowed for four legs. A longer
+  // time would also limit landings.
   static constexpr double kLookahead = 0.015;
   // [s] Time constant of the filter against encoder noise. Derived: one period at 500 Hz.
   static constexpr double kSmoothingTime = 0.002;
-  // [rad/s] Largest change of a joint velocity per period. Chosen. Larger than the 0.8 rad/s that a
-  // runaway leg reached in 2 ms (400 rad/s^2), smaller than the error of a wrong sample. Test:
-  // test_runaway_legs.cpp.
+  // [rad/s] Largest change of a joint velocity in one period. Chosen larger than the 0.8 rad/s that
+  // a runaway leg reached in 2 ms (400 rad/s^2), and smaller than the error of a wrong sample.
+  // Test: test_runaway_legs.cpp.
   static constexpr double kMaxSpeedStep = 5.0;
 
   Vector12 dq_ = Vector12::Zero();   // [rad/s]

@@ -8,17 +8,17 @@ namespace surefoot {
 
 namespace {
 
-// Measured on the vendor's library: each call with a power above the limit raises the counter by
-// one, each other call lowers it by one.
+// Measured on the vendor's library: each call with a power above the limit raises a counter by one,
+// and each other call lowers it by one.
 constexpr int kTripCount = 5;  // the protection trips above this count
 constexpr int kMaxCount = 10;  // largest value of the counter
 constexpr int kMaxLevel = 10;  // largest level of the SDK's PowerProtect
-// [rad] At this |q| and above, there is no position command. Chosen. Smaller than the SDK's
+// [rad] A command with this |q| or more is no position command. Chosen smaller than the SDK's
 // PosStopF = 2.146e9, because the vendor's Python examples send other values of that size.
 constexpr float kMinPositionOff = 1e9F;
 
-// Compute sum |tauEst dq| [W]. The sum of absolute values propagates NaN and infinity, so one check
-// covers all twelve motors.
+// Compute sum |tauEst dq| [W]. The sum of absolute values propagates NaN and infinity, so the
+// caller can check all twelve motors at once.
 double motor_power(const LowState& state) noexcept {
   double power = 0.0;
   for (int i = 0; i < kMotors; ++i) {
@@ -46,7 +46,7 @@ int Safety::position_protect(const LowCmd&, const LowState& state, double limit)
   angle_ = 0.0;
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
-    // Written so that a NaN angle or a NaN limit counts as outside.
+    // With this form of the condition, a NaN angle or a NaN limit counts as outside.
     if (q >= q_lower_[i] + limit && q <= q_upper_[i] - limit) continue;
     motor_ = i;
     angle_ = q;

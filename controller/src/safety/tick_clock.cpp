@@ -8,12 +8,12 @@ namespace surefoot {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [s] numerical: sums of periods, which are whole milliseconds
-// [periods] Longest step that is not a jump. Chosen. If smaller: samples that a slow loop loses
-// count as a jump. Shorter than the step of a clock that has jumped. Test: test_tick_clock.cpp.
+// [periods] Longest step that is not a jump. Chosen shorter than the step of a clock that has
+// jumped. If smaller: samples lost by a slow loop count as a jump. Test: test_tick_clock.cpp.
 constexpr double kJumpPeriods = 5.0;
 
-// Return the time [s] from one tick to another, negative if `to` is earlier. Unsigned subtraction
-// wraps around as the counter does.
+// Return the time [s] from one tick to another, negative if `to` is earlier. The unsigned
+// subtraction wraps around in the same way as the counter.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
   return 1e-3 * static_cast<std::int32_t>(to - from);
 }

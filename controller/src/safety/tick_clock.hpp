@@ -10,30 +10,31 @@ namespace surefoot {
 /// ticks have a meaning. Real-time: yes.
 class TickClock {
  public:
-  /// @param jump [s] a step longer than this, and than five periods, is a jump
+  /// @param jump [s] a step is a jump if it is longer than this and longer than five periods
   explicit TickClock(double jump = kJumpTime) : jump_threshold_(jump) {}
 
   /// Process a tick.
   ///
-  /// A tick that repeats, runs backwards or jumps is bad. A second tick shortly after a jump
-  /// confirms the jump: this second tick is good and counts as kMaxStep.
+  /// A tick is bad if it repeats, runs backwards or jumps. A second tick shortly after a jump
+  /// confirms the jump: this second tick is good, and its step counts as kMaxStep.
   /// @return time since the last good tick [s]; 0 for the first tick; negative for a bad tick
   double advance(std::uint32_t tick) noexcept;
 
-  /// Result of the last advance() [s], but the full time for a confirmed jump. 0 for a bad tick and
-  /// for the first tick.
+  /// Result of the last advance() [s]; for a confirmed jump, the full time since the last good
+  /// tick. 0 for a bad tick and for the first tick.
   double gap() const noexcept { return gap_; }
 
-  /// Period of the samples [s], at most kMaxStep: the second longest of the last four steps. It is
-  /// also the assumed duration of a bad tick. So a short step after jitter does not let an old
-  /// command act longer, and one lost sample does not make the command age twice as fast.
+  /// Period of the samples [s], at most kMaxStep. It is the second longest of the last four steps,
+  /// so a short step after jitter does not let an old command act longer, and one lost sample does
+  /// not make the command age twice as fast. It is also the assumed duration of a bad tick.
   double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(jump_threshold_); }
 
-  /// [s] Longest time that is integrated. Equal to kHoldTime: the state is unknown after that.
+  /// [s] Longest time that is integrated in one step. Equal to kHoldTime, after which the state is
+  /// unknown.
   static constexpr double kMaxStep = 0.010;
-  /// [s] Default of `jump`. Equal to kRobotWatchdogTime: after that the robot has damped.
+  /// [s] Default of `jump`. Equal to kRobotWatchdogTime, after which the robot has damped.
   static constexpr double kJumpTime = 0.100;
 
  private:
@@ -43,7 +44,7 @@ class TickClock {
   std::uint32_t last_ = 0;
   std::uint32_t jump_tick_ = 0;
   double gap_ = 0.0;
-  // [s] The last four steps; at first the period at 500 Hz.
+  // [s] The last four steps; the initial value is the period at 500 Hz.
   std::array<double, 4> recent_steps_ = {0.002, 0.002, 0.002, 0.002};
   int next_ = 0;
 };

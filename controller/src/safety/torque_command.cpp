@@ -13,9 +13,9 @@ namespace surefoot {
 
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-// [s] Duration of the fade-in of a lost leg's damping, so that the leg does not jerk. Chosen.
-// Torques step by at most 9.5 % a period, which takes 21 ms to the limit at 500 Hz. If larger: the
-// leg sags. Test: tests/closed_loop/test_lost_leg.py.
+// [s] Time over which the damping of a lost leg fades in, so that the leg does not jerk. Chosen. At
+// 500 Hz torques change by at most 9.5 % of their limit per period, so they need 21 ms to reach the
+// limit. If larger: the leg sags. Test: tests/closed_loop/test_lost_leg.py.
 constexpr double kFadeTime = 0.02;
 
 // Round to a float towards zero: rounding up could exceed the torque limit.
@@ -44,8 +44,9 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   const auto limit_power_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
-    // The power limit scales towards the holding torques, so they must be within the torque limits.
-    // The limits at zero speed are used: a wrong speed measurement must not drop the robot.
+    // The power limit scales towards the holding torques, so the holding torques must be within the
+    // torque limits. The torque limits at zero speed are used, because a wrong speed measurement
+    // must not drop the robot.
     for (int i = 0; i < kMotors; ++i) {
       const double limit = torque_share_[i] * robot_.config().tau_max[i];
       hold[i] = std::clamp(hold[i], -limit, limit);  // NaN stays NaN
@@ -53,17 +54,17 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
     limited_ = limit_power(tau, hold, dq, watts, damping_);
   };
   limit_power_to(state.contact, power_limit_);
-  // If no mix meets the limit, scale towards torques that hold the robot on all four feet. A foot
-  // that is unloaded for a moment takes its share of the load again when the other legs yield.
+  // If no scale satisfies the limit, scale towards torques that hold the robot on all four feet. A
+  // foot that is unloaded for a moment carries its share of the load again when the other legs
+  // yield.
   if (limited_.limit_exceeded) limit_power_to(Eigen::Vector4d::Ones(), power_limit_);
   // If these holding torques alone exceed the limit, do not scale the command: a robot that is
-  // released falls and takes several times that power. The power protection remains as the last
-  // limit.
+  // dropped falls and takes several times that power. The power protection then is the last limit.
   if (limited_.limit_exceeded) limit_power_to(state.contact, kUnlimited);
   const bool limited_any = limit_runaway_legs(dq);
   if (limited_.scale == 1.0 && !limited_any) return false;
-  // The scaled torques contain holding torques, which may exceed what a motor can produce at its
-  // speed.
+  // The scaled torques contain holding torques, which may exceed the torque that a motor can
+  // produce at its speed.
   for (int i = 0; i < kMotors; ++i) {
     double& torque = limited_.torques[i];
     torque = within_motor_limits(robot_.config(), i, torque, dq[i], torque_share_[i]);
@@ -79,7 +80,7 @@ Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {
 
 // Limit runaway legs last, even below the holding torques: the power of one leg may rise by at most
 // a quarter of the limit. The rise is extrapolated from the estimated joint velocities of this
-// sample, while `dq` may be predicted over the delay. Return whether a leg was limited.
+// sample; `dq` may be predicted over the delay. Return whether a leg was limited.
 bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   const double share = power_limit_ / kLegs;
   const Vector12 total_torque = limited_.torques - damping_ * dq;
@@ -94,7 +95,7 @@ bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   return limited_any;
 }
 
-// All motors of a lost leg damp, not only the failed ones, so that the leg moves little.
+// All motors of a lost leg damp, not only the failed motors, so that the leg moves little.
 LowCmd TorqueCommand::command(double dt) noexcept {
   Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
   if (lost_leg_ >= 0) {

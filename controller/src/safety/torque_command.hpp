@@ -10,40 +10,39 @@
 
 namespace surefoot {
 
-/// Return a command with these torques [N.m], motor order: pure torque mode if kd is 0, else with
-/// motor-side damping (Kd = kd [N.m.s/rad], dq = 0). Real-time: yes.
+/// Return a command with these torques [N.m], motor order. Motors with kd = 0 are in pure torque
+/// mode; the others also get motor-side damping (Kd = kd [N.m.s/rad], dq = 0). Real-time: yes.
 LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 
 /// Converts the torques of the QP or of the fallback chain to a LowCmd in torque mode.
 ///
-/// It limits the power of the command, then limits the torques of runaway legs, and makes a lost
-/// leg damp.
-/// Real-time: yes.
+/// The class limits the power of the command, then limits the torques of runaway legs, and makes a
+/// lost leg damp. Real-time: yes.
 class TorqueCommand {
  public:
-  /// @param motor_damping motor-side damping in every command [N.m.s/rad]
+  /// @param motor_damping motor-side damping of every command [N.m.s/rad]
   /// @param power_limit largest power of a command [W]
   TorqueCommand(const Robot& robot, double motor_damping, double power_limit)
       : robot_(robot), motor_damping_(motor_damping), power_limit_(power_limit) {}
 
-  /// Update the joint velocities; call it after each estimate. @param dt time since the last
+  /// Update the joint velocities. Call it after each estimate. @param dt time since the last
   /// estimate [s]
   void observe_joints(const RobotState& state, double dt) noexcept {
     runaway_legs_.update(joint_speeds(state), dt);
   }
 
-  /// Set the lost leg: 0 .. 3, or -1 for none. The motors of a lost leg get no torques, but damp.
+  /// Set the lost leg: 0 .. 3, or -1 for none. The motors of a lost leg damp and get no torques.
   void set_lost_leg(int leg) noexcept { lost_leg_ = leg; }
 
   /// Set the torques for the next command() to those of a usable solution, and limit their power.
-  /// The reduction of runaway legs does not count in limited().scale.
+  /// limited().scale does not include the reduction of runaway legs.
   /// @return the status of the solution, or kSaturated if the torques were limited
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;
 
-  /// Do the same for torques `tau` in motor order.
+  /// Do the same for torques `tau` in motor order that do not come from a Solution.
   /// @param tau [N.m]
-  /// @param damping motor-side damping to add to the option motor_damping [N.m.s/rad]
+  /// @param damping motor-side damping [N.m.s/rad], added to the option motor_damping
   /// @return whether the torques were limited
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
@@ -72,9 +71,10 @@ class TorqueCommand {
   LimitedTorques limited_;  // motor order
   RunawayLegs runaway_legs_;
   int lost_leg_ = -1;
-  Vector12 torque_share_ = Vector12::Ones();  // share of each motor's limit
-  double damping_ = 0.0;                      // [N.m.s/rad] of the present command, option included
-  // Of the lost leg: final damping [N.m.s/rad], and the share 0 .. 1 of it that is reached.
+  Vector12 torque_share_ = Vector12::Ones();  // usable share of each motor's torque limit
+  // [N.m.s/rad] Damping of the present command, option motor_damping included.
+  double damping_ = 0.0;
+  // Lost leg: final damping [N.m.s/rad], and the share of it that has been reached, 0 .. 1.
   double lost_damping_ = 0.0, lost_damping_share_ = 0.0;
 };
 

@@ -6,9 +6,10 @@
 namespace surefoot {
 
 namespace {
-constexpr int kCapacity = 64;  // stored commands; derived: more than kMaxDelay has at 1 kHz
-// [periods] Delay assumed if StandOptions::delay is 0. Derived: a sample is one period old when it
-// arrives, and its command acts another period later.
+// Number of stored commands; derived: more than a delay of kMaxDelay contains at 1 kHz.
+constexpr int kCapacity = 64;
+// [periods] Delay that is assumed if StandOptions::delay is 0. Derived: a sample is one period old
+// when it arrives, and the command computed from it acts one period later.
 constexpr double kDefaultDelayPeriods = 2.0;
 constexpr double kTimeTolerance = 1e-6;  // [s] numerical: rounding of summed periods
 }  // namespace
@@ -48,8 +49,8 @@ const SentCommand* DelayPredictor::acting_command(double period) const noexcept 
 RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   dv_.setZero();
   dq_ = delay_ * state.v;
-  // Go backwards from the newest command. Each command acts until the next command starts to act;
-  // `end` is that time, in seconds after `state`.
+  // Go backwards from the newest command. Each command acts until the next command begins to act.
+  // `end` is the time after `state` [s] at which the present command of the loop ends.
   double end = delay_;
   for (int k = 1; k <= count_ && end > 0.0; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
@@ -58,7 +59,7 @@ RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
     dq_ += duration * (delay_ - end + 0.5 * duration) * sent.accelerations;
     end -= duration;
   }
-  // The base part of dq is in base axes, like that of v.
+  // The base part of dq_ is in base axes, like the base part of v.
   const Quaternion R(state.q[6], state.q[3], state.q[4], state.q[5]);
   const Quaternion turned = (R * exp_so3(dq_.segment<3>(3))).normalized();
   predicted_.q = state.q;

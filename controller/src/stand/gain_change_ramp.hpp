@@ -7,14 +7,14 @@
 
 namespace surefoot {
 
-/// Linear ramp from the gains in force to the requested gains, so that torques do not jump.
+/// Linear ramp from the active gains to the requested gains, so that torques do not jump.
 ///
-/// The ranges of the gains are convex, so gains between valid gains are valid up to rounding.
+/// The ranges of the gains are convex, so a mix of two valid gain sets is valid up to rounding.
 /// Real-time: yes.
 class GainChangeRamp {
  public:
-  /// [s] Duration of the ramp. Chosen. If smaller: torques step, because the ramp has few ticks. If
-  /// larger: the change is slow for an operator.
+  /// [s] Duration of the ramp. Chosen. If shorter: torques jump, because the ramp has few ticks. If
+  /// longer: an operator waits too long for the change.
   static constexpr double kRampTime = 0.1;
 
   void start(const Gains& from, const Gains& to) noexcept {
@@ -25,7 +25,7 @@ class GainChangeRamp {
   bool moving() const noexcept { return remaining_ > 0.0; }
   const Gains& target() const noexcept { return target_; }
 
-  /// Advance by dt [s] and return the gains in force. After the ramp they equal target().
+  /// Advance the ramp by dt [s] and return the active gains. After the ramp they equal target().
   const Gains& step(double dt) noexcept {
     remaining_ = std::max(remaining_ - dt, 0.0);
     current_ = target_;

@@ -81,7 +81,7 @@ const Gains& StandController::active_gains() const noexcept { return impl_->cont
 void StandController::set_gains(const Gains& gains) {
   gains.validate();
   Impl& s = *impl_;
-  // A caller may set the same gains in every tick: this must not restart the ramp.
+  // A caller may set the same gains in every tick; this must not restart the ramp.
   if (gains == this->gains()) return;
   s.gain_ramp.start(s.controller.gains(), gains);
   if (s.pose_latches == 0 || s.command_hold.latched())

@@ -8,8 +8,8 @@ namespace surefoot {
 
 namespace {
 
-// Number of ticks that latch the pose. Chosen: the second and the third latch correct the contact
-// points, which depend on the ground normal only through the radius of the soles.
+// Number of ticks that latch the pose. Chosen: three. The second and the third latch correct the
+// contact points, which depend on the ground normal only through the radius of the soles.
 constexpr int kPoseLatches = 3;
 
 const Robot& twelve_joints(const Robot& robot) {
@@ -42,34 +42,35 @@ void StandController::Impl::apply_gains(const Gains& gains) noexcept {
 
 const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   const double step = clock.advance(low_state.tick);
-  // After a gap of more than 100 ms the robot has already damped by itself, so the old plan does
-  // not apply: latch damping.
+  // After a gap of more than 100 ms the robot has already damped by itself, so the old plan is no
+  // longer valid: latch damping.
   const bool robot_timed_out = step > 0.0 && clock.gap() > kRobotWatchdogTime;
   const double elapsed = robot_timed_out ? clock.gap() : step > 0.0 ? step : clock.period();
   // The next estimate also covers the time of unusable samples. A tick counter that repeats, runs
-  // backwards or jumps (step < 0) adds no time: the clock measures the next good counter from the
-  // last good one.
+  // backwards or jumps (step < 0) adds no time, because the clock measures the next good tick from
+  // the last good tick.
   if (step >= 0.0) {
     time_since_estimate += elapsed;
     predictor.advance(elapsed);
   }
   Status status = Status::kStaleTick;
-  fallback_level = FallbackLevel::kHold;  // until this tick computes a command
+  fallback_level = FallbackLevel::kHold;  // value until this tick computes a command
   if (command_hold.latched()) {
     status = Status::kDamping;
     if (gain_ramp.moving()) apply_gains(gain_ramp.step(GainChangeRamp::kRampTime));
   } else if (step >= 0.0 && !(robot_timed_out && command_hold.in_control())) {
     status = estimate_and_solve(low_state, std::min(time_since_estimate, TickClock::kMaxStep));
   }
-  // After a divergence the estimator restarts, and the latched reference does not fit the new
-  // estimate. Passing 100 ms as the elapsed time makes the command hold latch damping at once.
+  // After a divergence the estimator starts again, and the latched reference does not fit the new
+  // estimate. An elapsed time of 100 ms makes the command hold latch damping at once.
   const LowCmd& command =
       select_command(status, status == Status::kDiverged ? kRobotWatchdogTime : elapsed);
   ++fallback_counts[static_cast<int>(fallback_level)];
   return command;
 }
 
-// Choose the command to send: solved, computed without the QP, repeated, or damping.
+// Choose the command to send: solved, computed without the QP, repeated, or damping. Record it in
+// the predictor if it is a new command.
 const LowCmd& StandController::Impl::select_command(Status tick, double elapsed) noexcept {
   const double kd = controller.gains().damping_kd;
   if (is_usable(tick)) {
@@ -83,9 +84,9 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   status = command_hold.latched() ? Status::kDamping : tick;
   if (!command_hold.in_control()) fallback_level = FallbackLevel::kDamping;
   if (is_fresh(fallback_level)) {
-    // A fallback command produces about the motion of the last solution. If the power limit scales
-    // the torques, the motion scales by the same factor. The smaller motion of a limited runaway
-    // leg is neglected, because its foot carries no load.
+    // A fallback command causes about the motion of the last solution. If the power limit scales
+    // the torques, the motion is scaled by the same factor. That a limited runaway leg moves less
+    // is neglected, because its foot carries no load.
     const LimitedTorques& sent = torque_command.limited();
     predictor.record(controller.solution().accelerations, sent.scale, sent.torques,
                      state.f_external - state.f_sustained);
@@ -93,9 +94,9 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   return command_hold.last();
 }
 
-// Estimate the state, update the reference, solve the QP.
+// Estimate the state, update the reference and solve the QP.
 Status StandController::Impl::estimate_and_solve(const LowState& low_state, double dt) noexcept {
-  // Only the first pose latch needs the quaternion of the IMU; a standing robot continues without
+  // Only the first pose latch needs the quaternion of the IMU. A standing robot continues without
   // it.
   if (pose_latches == 0 && !has_unit_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const SentCommand* acting_command = predictor.acting_command(clock.period());
@@ -114,8 +115,8 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
   if (dynamics.R_world_base()(2, 2) < std::cos(controller.gains().fall_tilt)) {
     return Status::kFallen;
   }
-  // The contact points depend on the ground normal, which is computed from the contact points:
-  // latch a few times, so that both converge.
+  // The contact points depend on the ground normal, and the ground normal is computed from the
+  // contact points. The pose is latched several times, so that both converge.
   if (pose_latches < kPoseLatches) {
     reference.latch(dynamics, estimator.state().q);
     ++pose_latches;
@@ -136,13 +137,14 @@ Status StandController::Impl::solve_predicted(const Reference& desired, double d
   return solve(predicted_dynamics, predicted_state, desired);
 }
 
-// Solve the QP, again from a cold start if the first solve fails. Limit the power of the torques.
+// Solve the QP, and again from a cold start if the first solve fails. Limit the power of the
+// torques.
 Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& used_state,
                                     const Reference& desired) noexcept {
   const Solution& solution = controller.solve(dynamics, used_state, desired);
   fallback_level = FallbackLevel::kSolved;
   if (!is_usable(solution.status)) {
-    controller.solve_cold(dynamics);  // overwrites `solution`
+    controller.solve_cold(dynamics);  // the reference `solution` now has the new result
     fallback_level = FallbackLevel::kColdSolve;
   }
   if (is_usable(solution.status)) {
@@ -153,7 +155,7 @@ Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& 
   return solution.status;
 }
 
-// Compute torques without the QP, within the same power limit.
+// Compute torques without the QP, and limit their power in the same way.
 void StandController::Impl::compute_fallback(const Dynamics& dynamics, const RobotState& used_state,
                                              const Reference& desired) noexcept {
   const Gains& gains = controller.gains();

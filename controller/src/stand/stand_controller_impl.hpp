@@ -30,14 +30,15 @@ struct StandController::Impl {
   StandReference reference;
   UsableFriction friction;
   DelayPredictor predictor;
-  Dynamics predicted_dynamics;  // at the predicted state; used if StandOptions::delay > 0
-  RobotState state;             // estimated state; state.friction is the share that the QP may use
+  Dynamics predicted_dynamics;  // at the predicted state; used only if StandOptions::delay > 0
+  // Estimated state; state.friction is the share of the friction that the QP may use.
+  RobotState state;
   WholeBodyController controller;
   FallbackChain fallback_chain;
   TorqueCommand torque_command;
   CommandHold command_hold;
   GainChangeRamp gain_ramp;
-  double time_since_estimate = 0.0;  // [s] since the last good estimate
+  double time_since_estimate = 0.0;  // [s] time since the last good estimate
   int pose_latches = 0;              // number of ticks that have latched the pose
   Status status = Status::kWaiting;
   Status fault = Status::kOk;

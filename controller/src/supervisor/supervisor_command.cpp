@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes the command from the joint impedance, the StandController or damping. During a fade the
-// command is the weighted mean of two of them.
+// Computes the command, from joint impedance, StandController or damping. During a fade the command
+// is the weighted mean of two of these sources.
 #include "safety/torque_command.hpp"
 #include "supervisor/common/motor_measurements.hpp"
 #include "supervisor/supervisor_impl.hpp"
@@ -9,9 +9,9 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time for which the torques must be limited before this is the fault torque_rate. Derived: the
-// 6 ms over which the estimator accepts a push, when torques may be limited, plus one period. Must
-// be below the 10 ms of fault_table().
+// [s] Time for which the torques must be limited before there is a fault torque_rate. Derived: the
+// 6 ms in which the estimator responds to a push, and torques may be limited, plus one period.
+// Shorter than the 10 ms of fault_table().
 constexpr double kRateLimitedTime = 0.008;
 
 }  // namespace
@@ -42,7 +42,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     demand.kd = (1.0 - w) * before.kd + w * demand.kd;
   }
   // A StandController that has had no solution since its reset has no command to hold, and never
-  // latches damping itself. So this time is measured here.
+  // latches damping by itself. So this time is measured here.
   const bool uses_controller = fade.uses(TorqueSource::kController);
   const bool idle = unsolved.update(
       uses_controller && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
@@ -53,8 +53,8 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     return command_hold.accept(damping_low_cmd(damping_kd));
   }
   // Limited torques are a fault only if they come from the StandController and stay limited.
-  // Impedance torques of a slipping leg change as fast as the leg moves, and an impact takes one or
-  // two ticks.
+  // Impedance torques of a slipping leg change as fast as the leg moves, and an impact lasts for
+  // one or two ticks.
   const bool limited =
       rate_limiter.limit(demand.tau, demand.kd, measured_velocities(state), clock.period());
   log.set(FaultId::kTorqueRate,

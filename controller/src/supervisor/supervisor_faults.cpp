@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fault detection on a usable sample, and the reactions.
+// Detects faults in a usable sample, and reacts to them.
 #include <cmath>
 
 #include "supervisor/common/tilt.hpp"
@@ -9,28 +9,28 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand.
-// [rad] 40 degrees: tilt above which a rising or sitting robot has fallen. Must exceed the tilt on
-// slopes of 8 degrees (benchmarks/false_trips.py). Must be below the 60 degrees of the row
-// body_tilt.
+// The constants are chosen by hand.
+// [rad] 40 degrees: tilt above which a rising or sitting robot has fallen. Larger than the tilt on
+// slopes of 8 degrees (benchmarks/false_trips.py), and smaller than the 60 degrees of the row
+// body_tilt of `surefoot faults`.
 constexpr double kFallTilt = 0.7;
-// [rad] Tilt above which a lying body has fallen. Must exceed RolloverMonitor's 0.74.
+// [rad] Tilt above which a lying body has fallen. Larger than the 0.74 of RolloverMonitor.
 constexpr double kRollTilt = 0.8;
-// [s] Time over which the tilt is predicted. If smaller: falls are detected later. If larger:
-// pushes, which end by themselves, trip.
+// [s] Time over which the tilt is predicted. If shorter: falls are detected later. If longer:
+// pushes, which end by themselves, cause a fault.
 constexpr double kTiltPrediction = 0.1;
-// [s] Time for which the battery charge must be low before it is a fault. If smaller: wrong samples
-// trip. Shorter than the 2 s of fault_table().
+// [s] Time for which the battery charge must be low before there is a fault. If shorter: wrong
+// samples cause a fault. Shorter than the 2 s of fault_table().
 constexpr double kBatteryTime = 1.0;
-// [height of the centre of mass] Largest distance of the capture point outside the triangle of the
-// other three feet at which a leg is given up. The damping of the lost leg supports the body over
-// this distance for long enough. Test: test_lost_leg.py.
+// Largest distance of the capture point outside the triangle of the other three feet at which a leg
+// is declared lost, as a share of the height of the centre of mass. Over this distance the damping
+// of the lost leg supports the body for long enough. Test: test_lost_leg.py.
 constexpr double kMaxOutside = 0.03;
-// [m g] External force above which no leg is given up, because the push will move the capture point
-// further.
+// [m g] With a larger external force no leg is declared lost, because the push will move the
+// capture point further.
 constexpr double kMaxPush = 0.1;
 // Share of missing samples above which kLoss is reported. The rows packet_loss bracket it: 4 % must
-// pass, 8 % must be reported.
+// not be reported, 8 % must be.
 constexpr double kMaxLoss = 0.05;
 
 }  // namespace
@@ -56,8 +56,8 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_rest(state, dt);
 }
 
-// Give up the leg of a failed motor if the robot stands and its capture point is inside the
-// triangle of the other three feet, or at most kMaxOutside outside.
+// Declare the leg of a failed motor lost if the robot stands, and its capture point is inside the
+// triangle of the other three feet or at most kMaxOutside outside.
 void Supervisor::Impl::judge_legs() noexcept {
   const int lost = stand.lost_leg();
   if (lost >= 0) {
@@ -72,7 +72,7 @@ void Supervisor::Impl::judge_legs() noexcept {
     const double height =
         stand_reference.p_com.z() - stand_reference.feet[diagonal_leg(leg)].p_world.z();
     const double push = stand.state().f_external.head<2>().norm();
-    // Both comparisons are false for NaN, so the leg is kept.
+    // Both comparisons are false for NaN; the leg is then not declared lost.
     const bool quiet = push <= kMaxPush * kGravity * robot.mass();
     if (!quiet || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
     stand.declare_leg_lost(leg);
@@ -94,29 +94,32 @@ void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
   log.set(FaultId::kOperator, operator_silence > options.operator_timeout);
 }
 
-// Extrapolate the tilt with its rate, so that a fast fall damps early.
+// The tilt is extrapolated with its rate, so that a fast fall leads to damping early.
 void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   if (!applies_torque()) {
     log.set(FaultId::kTilt, false);
     return;
   }
-  // For a standing robot use the attitude of the StandController's estimator, and the gain
-  // fall_tilt as limit.
+  // A standing robot has the attitude of the StandController's estimator, and the gain fall_tilt is
+  // its limit.
   Quaternion R = impedance.R_world_base();
   double most = is_raising_body() ? kFallTilt : kRollTilt;
   if (is_standing()) {
     R = Quaternion(stand.state().q.segment<4>(3).data());
     most = stand.gains().fall_tilt;
   }
-  const std::array<float, 3> gyroscope = state.imu.gyroscope;  // packed: copied
+  // The field is packed, so it is copied.
+  const std::array<float, 3> gyroscope = state.imu.gyroscope;
   const Vector3 w = impedance.R_base_imu() * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
   const Vector3 up = R.conjugate() * Vector3::UnitZ();  // in base axes
   const double tilt = tilt_angle(up);
-  const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);  // no division by zero if level
+  // Avoids a division by zero if the body is level.
+  const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
   // d(up)/dt = up x w; the tilt grows as up.z falls.
   const double rate = -up.cross(w).z() / sine;
-  // The tilt of a lying body is not predicted, because the body may roll off a leg. Below half the
-  // limit no tilt is predicted: pushes turn a level body fast, but end.
+  // The tilt of a lying body is not predicted, because the body may roll off a leg. A tilt below
+  // half of the limit is not predicted either, because pushes turn a level body fast but end by
+  // themselves.
   const double ahead = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
@@ -126,7 +129,7 @@ void Supervisor::Impl::react() noexcept {
     if (log.report().has(stop_fault)) latch(stop_fault);
   }
   if (!applies_torque()) return;
-  // Do not latch here for the sample fault: tick() first repeats the last command for 10 ms.
+  // The sample fault is not latched here, because tick() first repeats the last command for 10 ms.
   const FaultId worst = log.report().first_active(FaultReaction::kDamp, sample_fault);
   if (worst != FaultId::kNone) latch(worst);
   const bool up = context.mode == Mode::kStand || context.mode == Mode::kRise;

@@ -10,15 +10,16 @@ namespace surefoot {
 
 namespace {
 
-// Shares of the power at which the power protection trips. Chosen by hand, below 1. Measured with
-// these values: 93 W at most at level 1 (100 W) in benchmarks/get_up.py; no trip in
-// benchmarks/false_trips.py.
-constexpr double kPlannedShare = 0.5;  // power of the rise plan's holding torques
-// Limit of JointImpedance; lower, because its measured velocities are 5 ms old.
+// Limits of the power, as shares of the power at which the power protection trips. Chosen by hand,
+// below 1. Measured with these values: at most 93 W at level 1 (100 W) in benchmarks/get_up.py; no
+// trip in benchmarks/false_trips.py.
+constexpr double kPlannedShare = 0.5;  // power of the holding torques in the rise plan
+// Limit of JointImpedance. Lower than kStandShare, because its measured velocities are 5 ms old.
 constexpr double kLimitedShare = 0.8;
 constexpr double kStandShare = 0.9;  // limit of StandController
 constexpr Button kStopButton = Button::kB;
 
+// Return the power [W] at which the power protection trips.
 double watts(const SupervisorOptions& options) {
   options.validate();
   return Safety::kWattsPerLevel * std::max(options.power_level, 1);
@@ -56,7 +57,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
   publish();
 }
 
-// The steps of a tick: see the class comment.
+// Do the steps of a tick, see the class comment.
 const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   const double step = clock.advance(state.tick);
   const double dt = step > 0.0 ? std::min(step, TickClock::kMaxStep) : clock.period();
@@ -93,7 +94,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   return *out;
 }
 
-// Judge the request again: the mode may have changed since another thread posted it.
+// The request is checked again, because the mode may have changed since another thread posted it.
 void Supervisor::Impl::handle_request(int request) noexcept {
   if (request == Requests::kArm) {
     if (judge_arming(context) != RequestStatus::kAccepted) return;
@@ -101,7 +102,7 @@ void Supervisor::Impl::handle_request(int request) noexcept {
     context.mode = Mode::kPassive;
     context.armed = true;
     command_hold.reset();
-    clock_monitor = {};  // joints at rest would keep the last verdict
+    clock_monitor = {};  // joints at rest would otherwise keep the last verdict
     for (const FaultId cleared :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(cleared, false);
@@ -118,13 +119,13 @@ void Supervisor::Impl::handle_request(int request) noexcept {
   }
 }
 
-// Take over a standing robot. Torques do not fade in, because the robot would sink during a fade.
+// Take over a standing robot. Torques do not fade in, because the robot would sink during the fade.
 void Supervisor::Impl::take_over() noexcept {
   stand.reset();
   motors.reset();
   context.mode = Mode::kStand;
   context.armed = true;
-  stage = RiseStage::kUp;  // in any other stage sit() would only damp, as for a lying robot
+  stage = RiseStage::kUp;  // in any other stage sit() would only damp, as it does for a lying robot
   motion.start(1.0, impedance.q());
   rate_limiter.reset();
   fade.switch_to(TorqueSource::kController);
@@ -140,7 +141,8 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   rate_limiter.set_damping_only(damping_kd);
   unsolved = rate_limited = {};
   log.set(FaultId::kTorqueRate, false);
-  log.set(FaultId::kHanging, false);  // the rise has ended; the fault must not block the next rise
+  // The rise has ended, and this fault must not block the next rise.
+  log.set(FaultId::kHanging, false);
   reason = why;
 }
 

@@ -28,19 +28,19 @@
 
 namespace surefoot {
 
-/// The mode machine of the Supervisor.
+/// State machine of the Supervisor: its modes, and the steps of a tick.
 ///
-/// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise runs through the
-/// stages of RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves damping. Passive and
-/// damping send damping only; rise and sit use JointImpedance; stand uses StandController.
-/// TorqueFade blends the torques when the mode changes. A change to damping does not fade.
+/// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise has the stages of
+/// RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves damping. In passive and damping
+/// only damping is sent; rise and sit use JointImpedance; stand uses StandController. TorqueFade
+/// blends the torques when the mode changes, except when it changes to damping.
 ///
 /// A tick has five steps:
-///   1. read_sample() checks the LowState; an unusable one is a sample fault.
-///   2. judge() runs the fault detectors on a usable sample; react() sits or damps for a fault.
-///   3. handle_request() takes the request that another thread posted.
+///   1. read_sample() checks the LowState; an unusable LowState is a sample fault.
+///   2. judge() runs the fault detectors on a usable sample; react() makes the robot sit or damp.
+///   3. handle_request() handles the request that another thread has posted.
 ///   4. step_motion() moves the joint reference of rise or sit.
-///   5. command() computes the LowCmd. Without a usable sample, CommandHold repeats the last one
+///   5. command() computes the LowCmd. Without a usable sample, CommandHold repeats the last LowCmd
 ///      for 10 ms; then damping is latched.
 ///
 /// Threads: `requests`, Seqlock members and atomics are shared with other threads. `plan` and
@@ -67,15 +67,15 @@ struct Supervisor::Impl {
   Requests requests;
   Seqlock<ArmingReport> arming_report;
   Seqlock<FaultReport> faults;
-  std::atomic<FaultId> reason{FaultId::kNone};
+  std::atomic<FaultId> reason{FaultId::kNone};  // fault that latched damping, or kNone
   std::atomic<unsigned> heartbeats{0};
-  std::atomic<bool> gave_up{false};
+  std::atomic<bool> gave_up{false};  // true if the last rise was abandoned
   std::atomic<RiseStage> published_stage{RiseStage::kHoldLegs};
-  std::atomic<double> height{0.0};
-  bool fresh = false;
+  std::atomic<double> height{0.0};  // path parameter of the rise, 0 .. 1
+  bool fresh = false;               // true if the last command was computed from the last sample
 
  private:
-  /// [s] Step of the tick above which a second sample must confirm it, because one tick may be
+  /// [s] A longer step of the tick must be confirmed by a second sample, because one tick may be
   /// wrong. Chosen. Longer than kHoldTime, so that no command is repeated for such a step, and
   /// longer than 13 ms: samples at 100 Hz with 3 ms of jitter. Shorter than the 17 ms that latch in
   /// tests/cpp/test_supervisor_link.cpp.
@@ -110,7 +110,7 @@ struct Supervisor::Impl {
   bool active() const noexcept {
     return context.mode != Mode::kPassive && context.mode != Mode::kDamping;
   }
-  /// Return whether the motors get torques, not damping alone.
+  /// Return whether the motors get torques, and not damping alone.
   bool applies_torque() const noexcept { return active() || fade.active(); }
   bool is_raising_body() const noexcept { return stage == RiseStage::kUp; }
   bool is_standing() const noexcept { return context.mode == Mode::kStand && !fade.active(); }
@@ -128,17 +128,17 @@ struct Supervisor::Impl {
   TorqueRateLimiter rate_limiter;
   RepeatedSample repeated;
   std::uint32_t last_tick = 0;
-  bool state_received = false;  // whether a usable sample has arrived since the link was lost
+  bool state_received = false;  // true if a usable sample has arrived since the link was lost
   double bad_time = 0.0;        // [s] duration of the present series of unusable samples
-  double unchecked_time = 0.0;  // [s] since the last sample that passed check_low_state()
+  double unchecked_time = 0.0;  // [s] time since the last sample that passed check_low_state()
   ImuMonitor imu;
   JointMonitor joints;
   EncoderMonitor encoders;
   ClockMonitor clock_monitor;
   Debounce battery, rate_limited, unsolved;
   FaultId sample_fault = FaultId::kNone;  // fault that made the last sample unusable, or kNone
-  unsigned last_heartbeats = 0;           // value of `heartbeats` at the last tick
-  double operator_silence = 0.0;          // [s] since the last heartbeat
+  unsigned last_heartbeats = 0;           // value of `heartbeats` in the last tick
+  double operator_silence = 0.0;          // [s] time since the last heartbeat
   double damping_kd;
 };
 

@@ -13,16 +13,16 @@ const LowCmd& Supervisor::Impl::update_without_state(double age) noexcept {
   const bool known_age = age >= 0.0;  // neither negative nor NaN
   if (!known_age || age > kStaleTime) invalidate_state();
   publish();
-  // command_hold.age() is the time of the unusable samples before this gap, so the sum is the age
+  // command_hold.age() is the time of the unusable samples before this gap. So the sum is the age
   // of the last command.
   if (applies_torque() && known_age && age + command_hold.age() <= kHoldTime)
     return command_hold.last();
   motors.skip_command();
-  rate_limiter.set_damping_only(damping_kd);  // the next torques are limited against zero
+  rate_limiter.set_damping_only(damping_kd);  // the next torques are limited as a change from zero
   return command_hold.damp(damping_kd);
 }
 
-// Drop pending requests and refuse new ones: no valid sample has arrived for a while.
+// Drop pending requests and reject new ones, because no valid sample has arrived for a while.
 void Supervisor::Impl::invalidate_state() noexcept {
   context.state_valid = false;
   requests.take();
@@ -35,7 +35,7 @@ void Supervisor::Impl::report_link_lost() noexcept {
   }
   invalidate_state();
   arming.clear_ready();
-  // Later samples must not be compared with samples from before the loss.
+  // Samples after the loss must not be compared with samples from before the loss.
   clock.reset();
   joints = {};
   encoders = {};

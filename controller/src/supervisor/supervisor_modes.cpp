@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Enters a mode, and moves the joint reference within the mode.
+// Enters a mode, and moves the joint reference in that mode.
 #include <cmath>
 
 #include "supervisor/supervisor_impl.hpp"
@@ -7,11 +7,11 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand.
-// [s] Time constant with which the joint reference stops while the impedance fades out. Must be far
-// below TorqueFade::kTime.
+// The constants are chosen by hand.
+// [s] Time constant with which the joint reference stops while the impedance fades out. Much
+// shorter than TorqueFade::kTime.
 constexpr double kRestTime = 0.03;
-// [rad] 20 degrees: largest joint error from q_standing at which the robot counts as standing. If
+// [rad] 20 degrees: largest joint error from q_standing for which the robot counts as standing. If
 // smaller: poses within BodyReference count as sunk. If larger: a robot that has sunk counts as
 // standing. kPathTolerance and the arming checks use the same value.
 constexpr double kUprightTolerance = 0.35;
@@ -23,7 +23,8 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     motors.reset();
     fade.start(TorqueSource::kImpedance);
   } else if (mode == Mode::kSit && context.mode == Mode::kStand) {
-    // A robot that sank and was armed again must not rise first: start at the present height.
+    // A robot that has sunk and was armed again must not rise first, so it starts at its present
+    // height.
     const Vector12& q = impedance.q();
     const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
     motion.start(upright ? 1.0 : plan.nearest(q), q);
@@ -38,12 +39,12 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
 }
 
 void Supervisor::Impl::step_motion(const LowState& state, double dt) noexcept {
-  const std::array<float, 3> w = state.imu.gyroscope;  // packed: copied
+  const std::array<float, 3> w = state.imu.gyroscope;  // the field is packed, so it is copied
   const bool lies = context.mode == Mode::kRise && !is_raising_body();
   impedance.reduce_damping(lies ? Vector3(w[0], w[1], w[2]).norm() : 0.0, dt);
   if (context.mode == Mode::kRise) rise(state, dt);
   if (context.mode == Mode::kSit) sit(dt);
-  // The impedance fades out: let its reference stop.
+  // The impedance fades out, so its reference comes to a stop.
   if (context.mode == Mode::kPassive) {
     reference.dq *= std::exp(-dt / kRestTime);
     reference.q += dt * reference.dq;
@@ -55,17 +56,17 @@ void Supervisor::Impl::sit(double dt) noexcept {
   if (!is_raising_body() || motion.arrived()) enter_passive();
 }
 
-// Fade to the motors' own damping; the robot lies or is nearly down.
+// Fade to the motors' own damping. The robot lies or is nearly down.
 void Supervisor::Impl::enter_passive() noexcept {
   context.mode = Mode::kPassive;
-  // A robot that was taken over standing lies now and must pass the checks.
+  // A robot that was taken over while standing now lies, and must pass the checks.
   context.checks_waived = false;
-  // No estimator runs while the robot lies, so nothing shows that such a fault has ended. The
+  // No estimator runs while the robot lies, so nothing shows whether such a fault has ended. The
   // operator must arm again.
   if (estimator_faults.must_sit_down()) context.armed = false;
   log.set(FaultId::kHanging, false);
   fade.start(TorqueSource::kDamping);
-  if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // three legs cannot rise
+  if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // the robot cannot rise on three legs
 }
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the stages of a rise: folding and checks while the body lies on the ground, then raising the
-// body.
+// Runs the stages of a rise: first folding and checks while the body lies on the ground, then
+// raising the body.
 #include <algorithm>
 
 #include "supervisor/common/motor_measurements.hpp"
@@ -9,14 +9,14 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand.
-// [1] Smallest path parameter s from which a rise may start without folding: on level ground the
-// feet are below the body from here on.
+// The constants are chosen by hand.
+// Smallest path parameter s from which a rise may start without folding. On level ground the feet
+// are below the body from this s on.
 constexpr double kMinHeight = 0.2;
-// [rad] 20 degrees: largest error of a joint from the path for such a start.
+// [rad] 20 degrees: largest distance of a joint from the path for such a start.
 constexpr double kPathTolerance = 0.35;
 // Share of the weight on the legs below which the robot hangs. Between hanging legs (0) and a robot
-// on its feet (1), as in the row hanging and in every rise of `surefoot faults`.
+// on its feet (1), as measured in the row hanging and in every rise of `surefoot faults`.
 constexpr double kMinLoadShare = 0.35;
 
 bool any(const std::array<bool, kLegs>& legs) noexcept {
@@ -24,8 +24,8 @@ bool any(const std::array<bool, kLegs>& legs) noexcept {
 }
 }  // namespace
 
-// Start a rise. A robot whose joints are near the planned path at s > kMinHeight continues from
-// there; any other robot folds its legs first.
+// Start a rise. If the joints are near the planned path at s > kMinHeight, the robot continues from
+// there. Otherwise it folds its legs first.
 void Supervisor::Impl::start_rise() noexcept {
   const Vector12& q = impedance.q();
   const double s = plan.nearest(q);
@@ -60,8 +60,8 @@ void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
   }
 }
 
-// Apply the legs' gravity torques and check the result before the legs move. If the model is that
-// of a larger robot, its impedance would throw the legs of a smaller one.
+// Apply the legs' gravity torques, and check the result before the legs move. If the model is that
+// of a larger robot, the impedance for its legs would throw the legs of a smaller robot.
 void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   light_leg_check.update(measured_torques(state), impedance.leg_gravity_torques(), dt);
   if (!light_leg_check.done()) return;

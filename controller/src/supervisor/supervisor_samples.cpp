@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks each sample and finds the fault that makes it unusable.
+// Checks each sample, and finds the fault that makes it unusable.
 #include <cmath>
 #include <utility>
 
@@ -16,19 +16,19 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   const FaultId sits = log.report().first_active(FaultReaction::kSit);
   const FaultId down = log.report().has(FaultId::kButton) ? FaultId::kButton : sits;
   arming.set_blocking_fault(sample_fault != FaultId::kNone ? sample_fault : down);
-  // After a long gap or a restart the samples of a lying robot may come from another robot, so it
-  // must be armed again.
+  // After a long gap or a restart, the samples of a lying robot may come from another robot. So the
+  // robot must be armed again.
   const double since = 1e-3 * static_cast<std::int32_t>(state.tick - last_tick);
   if (state_received && !active() && !context.checks_waived && !arming.has_link_counts() &&
       std::abs(since) > kStaleTime) {
     context.armed = false;
     arming.clear_ready();
-    fade.switch_to(TorqueSource::kDamping);  // end a fade that began before the gap
+    fade.switch_to(TorqueSource::kDamping);  // end any fade that began before the gap
   }
   last_tick = state.tick;
   if (step < 0.0) {
     arming.count_missed();
-    // No motion uses the clock now, so accept the new tick of a robot that restarted.
+    // No motion depends on the clock now, so the new tick of a restarted robot is accepted.
     if (!active()) clock.reset();
   } else {
     arming.update(state, step);
@@ -41,9 +41,10 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   bad_time = sample_fault == FaultId::kNone ? 0.0 : bad_time + dt;
   if (bad_time > kStaleTime) {
     requests.take();
-    if (context.checks_waived) context.state_valid = false;  // arming checks do not refuse
+    // Without arming checks, state_valid is what makes requests fail.
+    if (context.checks_waived) context.state_valid = false;
   }
-  // A robot that sits down on three legs must be armed again before it rises.
+  // A robot that sits down on three legs must be armed again before it can rise.
   const bool without_leg = active() && stand.lost_leg() >= 0;
   context.must_sit = down != FaultId::kNone || without_leg;
   context.ready = arming.report().ready && !context.must_sit;
@@ -57,8 +58,9 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   const Status status = check_low_state(state, robot.config());
   if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
   if (status != Status::kOk) return FaultId::kStateImplausible;
-  // Run the power protection on every plausible sample, also on samples that are rejected below: an
-  // impact that makes the IMU jump takes power too. power_protect() does not read the command.
+  // The power protection runs on every plausible sample, also on samples that are rejected below,
+  // because an impact that makes the IMU jump takes power too. power_protect() does not read the
+  // command.
   const bool protect = applies_torque() && options.power_level > 0;
   if (!protect) safety.reset();
   log.set(FaultId::kPower,
@@ -67,14 +69,15 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   const bool joints_fit = joints.update(state, elapsed, stand.lost_leg());
   imu.update(state.imu, elapsed, !repeated.repeats(), context.mode != Mode::kStand);
   if (!joints_fit) return FaultId::kJointJump;
-  // A standing robot has the attitude of its estimator and needs only the gyroscope rates.
+  // A standing robot uses the attitude of its estimator. From the IMU it needs only plausible
+  // rates.
   if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_standing()))
     return FaultId::kAttitude;
-  // After such a gap the robot has damped on its own. A caller of count_samples() judges gaps
+  // After such a gap the robot has damped by itself. A caller of count_samples() detects gaps
   // itself and calls report_link_lost().
   if (active() && !arming.has_link_counts() && clock.gap() > kRobotWatchdogTime)
     return FaultId::kStaleTick;
-  // While the motors only damp, old values do no harm; only sensors that have stopped are a fault.
+  // While the motors only damp, old values do no harm; only stopped sensors are a fault.
   const bool old = active() ? repeated.too_old() : repeated.stopped();
   return old ? FaultId::kFrozen : FaultId::kNone;
 }

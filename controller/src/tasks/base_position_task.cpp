@@ -17,7 +17,7 @@ BodyRows base_position_task(const Gains& gains, const Vector3& acceleration,
   const Matrix3& R = dynamics.R_world_base();
   BodyRows rows;
   rows.A_base.leftCols<3>() = R;
-  // Pinocchio's base acceleration is spatial. The acceleration of the base's origin is a_lin + w x
+  // Pinocchio's base acceleration a_lin is spatial. The base's origin accelerates with a_lin + w x
   // v.
   rows.b = acceleration - R * dynamics.w_base().cross(dynamics.v_base());
   rows.weight = PositionGains(gains).weight;

@@ -7,14 +7,14 @@ namespace surefoot {
 
 /// Desired acceleration of the body, world axes.
 struct BodyAcceleration {
-  Vector3 a;      ///< [m/s^2] of the reference's body point
-  Vector3 alpha;  ///< [rad/s^2] of the base
+  Vector3 a;      ///< [m/s^2] acceleration of the reference's body point
+  Vector3 alpha;  ///< [rad/s^2] angular acceleration of the base
 };
 
 /// Compute the desired acceleration from reference and state:
 ///   a = (1 - push_resist) f_external / m + a_task,   alpha = alpha_task
-/// The feet resist the share push_resist of the external force. The remaining force accelerates the
-/// body; this acceleration counts as desired, so it is no task error. Real-time: yes.
+/// The feet resist the share push_resist of the external force. The rest of the force accelerates
+/// the body. This acceleration counts as desired, so it is no task error. Real-time: yes.
 BodyAcceleration body_acceleration(const Gains& gains, double mass, const Dynamics& dynamics,
                                    const RobotState& state, const Reference& reference) noexcept;
 
@@ -24,7 +24,7 @@ struct FeetWrench {
   Vector3 moment;  ///< [N.m]
 };
 
-/// Compute the contact wrench that gives the robot the acceleration `desired`, with locked joints:
+/// Compute the contact wrench that gives a robot with locked joints the acceleration `desired`:
 ///   force = m (a + g up) - f_external,   moment = I alpha + w x I w - moment_external
 /// The motion of the legs relative to the base is neglected. Real-time: yes.
 FeetWrench feet_wrench(const BodyAcceleration& desired, double mass, const Dynamics& dynamics,

@@ -11,7 +11,7 @@ namespace surefoot {
 Vector3 com_acceleration(const Gains& gains, const Reference& reference,
                          const Dynamics& dynamics) noexcept;
 
-/// Compute the rows of the centre of mass task, (sum f_i + f_external) / m - g up = a, world axes.
+/// Compute the rows of the centre of mass task: (sum f_i + f_external) / m - g up = a, world axes.
 /// The rows are exact for any motion of the joints. Real-time: yes.
 BodyRows com_task(const Gains& gains, const Vector3& acceleration, const Vector3& f_external,
                   double mass) noexcept;

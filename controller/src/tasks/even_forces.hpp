@@ -5,12 +5,12 @@
 
 namespace surefoot {
 
-/// Compute the most even contact forces that meet six rows, such as those of two body tasks:
+/// Compute the most even contact forces that satisfy six rows, for example those of two body tasks:
 ///   minimise sum |f_i|^2 / share_i   subject to   A f = b
-/// The cost of the QP pulls the contact forces towards these even forces. The even forces meet the
-/// tasks, so the pull causes no task error while no constraint is active. The weight of the pull
-/// can therefore be chosen for the conditioning of the QP.
-/// @param share share of its even load that each foot may take, 0 .. 1, FR FL RR RL
+/// The cost of the QP pulls the contact forces towards these even forces. The even forces satisfy
+/// the tasks, so this pull causes no task error while no constraint is active. Its weight can
+/// therefore be chosen for the conditioning of the QP alone.
+/// @param share share of its even load that each foot may carry, 0 .. 1, FR FL RR RL
 /// @return forces [N], FR FL RR RL, world axes. Real-time: yes.
 Vector12 even_forces(const Matrix6x12& A, const Vector6& b, const Eigen::Vector4d& share) noexcept;
 

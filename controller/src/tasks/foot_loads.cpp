@@ -5,7 +5,8 @@ namespace surefoot {
 
 namespace {
 
-// Interpolate from `lost` at contact confidence 0 to `held` at 1, and multiply by the planned load.
+// Interpolate from `lost` at contact confidence 0 to `held` at contact confidence 1, and multiply
+// the result by the planned load of the foot.
 double scaled_by_contact(double lost, double held, double contact,
                          const FootReference& foot) noexcept {
   const double share = lost + std::clamp(contact, 0.0, 1.0) * (held - lost);

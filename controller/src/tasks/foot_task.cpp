@@ -7,12 +7,12 @@ namespace surefoot {
 
 namespace {
 
-// [1/s] Smallest damping in the bound, used if foot_kd is smaller. Chosen. Larger than 0, because a
-// bound of 0 would stop the feedback on the foot position; smaller than the foot_kd of all robots
-// (46 to 65).
+// [1/s] Smallest damping in the bound, used if foot_kd is smaller. Chosen larger than 0, because a
+// bound of 0 would switch off the feedback of the foot position, and smaller than the foot_kd of
+// all robots (46 to 65).
 constexpr double kMinDamping = 1.0;
 
-// Return foot_kp times the offset, at most the acceleration that the damping balances at
+// Return foot_kp times the offset, limited to the acceleration that the damping balances at
 // foot_speed.
 Vector3 stiffness_acceleration(const Gains& gains, const Vector3& offset) noexcept {
   const Vector3 pull = gains.foot_kp * offset;

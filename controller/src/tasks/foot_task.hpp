@@ -11,7 +11,8 @@ namespace surefoot {
 /// contact.
 /// The QP meets these accelerations exactly (except near a singularity), and its solution includes
 /// the reaction of the legs on the body. So a foot far from its reference must not get an
-/// acceleration that its leg cannot produce: foot_speed limits the speed at which the foot returns.
+/// acceleration that its leg cannot produce. The limit on the kp term ensures this: the foot
+/// returns no faster than foot_speed.
 /// Real-time: yes.
 FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
                               const Dynamics& dynamics) noexcept;

@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-/// Gains of the position task, world axes: the horizontal gains in x and y, the vertical gains in
-/// z. They apply to the centre of mass or to the base's origin.
+/// Gains of the position task, world axes: horizontal gains in x and y, vertical gains in z. The
+/// position is that of the centre of mass or of the base's origin.
 struct PositionGains {
   explicit PositionGains(const Gains& g)
       : kp(g.com_kp_horizontal, g.com_kp_horizontal, g.com_kp_vertical),

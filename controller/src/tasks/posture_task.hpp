@@ -6,10 +6,10 @@
 
 namespace surefoot {
 
-/// Compute the desired joint accelerations of the posture task, in the order of a JointTable
-/// [rad/s^2]:
+/// Compute the desired joint accelerations [rad/s^2] of the posture task, in the order of a
+/// JointTable:
 ///   a = kp (q_ref - q) - kd dq
-/// Joints without a scalar angle have no stiffness term.
+/// Joints without a single angle (joint.q < 0) get no kp term.
 /// @param posture q_ref, shape (nv - 6,), order of v[6:]; empty: the standing pose
 /// @param out shape (joints.size(),)
 /// Real-time: yes.

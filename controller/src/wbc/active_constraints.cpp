@@ -7,8 +7,8 @@
 namespace surefoot {
 
 namespace {
-// Smallest part of a row that is independent of the active rows, as a share of the row's squared
-// norm in H's metric. With a smaller part, the row counts as dependent. Numerical tolerance; test:
+// A row counts as dependent if the squared norm of its part that is independent of the active rows
+// is at most this share of its whole squared norm, both in H's metric. Numerical tolerance; test:
 // degenerate_and_near_parallel_constraints_are_solved.
 constexpr double kMinIndependent = 1e-9;
 }  // namespace
@@ -29,7 +29,7 @@ ActiveConstraints::ActiveConstraints(int n, int n_eq)
 
 bool ActiveConstraints::start(const QpProblem& problem) noexcept {
   count_ = 0;
-  if (!problem.H.allFinite()) return false;  // the factorisation reads only one triangle
+  if (!problem.H.allFinite()) return false;  // the factorisation reads one triangle only
   H_.compute(problem.H);
   if (H_.info() != Eigen::Success) return false;
   w_ = -problem.g;
@@ -105,7 +105,9 @@ void ActiveConstraints::remove(Eigen::Index gone) noexcept {
   factorise(gone);
 }
 
-// The bound 1e-300 avoids the square root of a negative rounding error and a division by zero.
+// Compute the rows of R from row `from` on, after columns of V have changed.
+// The bound 1e-300 avoids the square root of a negative rounding error, and a division by zero
+// later.
 void ActiveConstraints::factorise(Eigen::Index from) noexcept {
   for (Eigen::Index k = from; k < count_; ++k) {
     auto l = l_.head(k);

@@ -14,23 +14,23 @@ namespace surefoot {
 ///   H x + g + sum_k m_k side_k c_k = 0.
 /// With H = L L', w = -L^-1 g and one column L^-1 side_k c_k of V per constraint:
 ///   V'V m = V'w - bounds,   x = L'^-1 (w - V m)
-/// R is the lower triangular Cholesky factor of V'V. It is updated when a constraint is added or
-/// removed. Real-time: all but the constructor.
+/// The class keeps R, the lower triangular Cholesky factor of V'V, and updates it whenever a
+/// constraint is added or removed. Real-time: all functions except the constructor.
 class ActiveConstraints {
  public:
   /// @param n number of variables
-  /// @param n_eq number of equalities. Zero rows among them take room too, so n_eq + n constraints
-  /// fit
+  /// @param n_eq number of equalities, zero rows included. There is room for n_eq + n constraints
   ActiveConstraints(int n, int n_eq);
 
-  /// Set the QP and remove all constraints. @return false if H is not positive definite
+  /// Set the QP and remove all constraints. @return false if H is not finite or not positive
+  /// definite
   bool start(const QpProblem& problem) noexcept;
 
   /// Add all equalities A x = b, before any other row. @return false if they depend on each other
   bool start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept;
 
-  /// Project a candidate row on the active rows. The functions below describe the residual: the
-  /// part of the candidate row that the active rows do not span.
+  /// Project a candidate row on the active rows. The functions that follow describe the residual,
+  /// which is the part of the candidate row that the active rows do not span.
   template <typename Row>
   void project(const Row& c, double side) noexcept {
     v_ = side * c.transpose();
@@ -40,16 +40,17 @@ class ActiveConstraints {
   double squared_residual() const noexcept {
     return squared_residual_;
   }  ///< squared norm of the residual, in H's metric
-  /// Compute the norm of the residual of a nearly dependent row, for which squared_residual() loses
-  /// all digits by cancellation. It overwrites the candidate row, so call it once, and do not
-  /// append the row afterwards.
+  /// Compute the norm of the residual of a nearly dependent row. For such a row squared_residual()
+  /// loses all digits by cancellation. The call overwrites the candidate row: call it once, and do
+  /// not append the row afterwards.
   double residual_norm() noexcept;
   double dual_direction(Eigen::Index k) const {
     return dual_direction_[k];
-  }  ///< decrease of multiplier k per unit step towards the candidate row
+  }  ///< decrease of the multiplier of constraint k for a unit step towards the candidate row
 
   /// Add the candidate row. @return false, without a change, if it depends on the active rows
   bool append(int row, double side, double bound, double multiplier) noexcept;
+  /// Remove constraint k, counted in the order of row().
   void remove(Eigen::Index k) noexcept;
 
   /// Compute the multipliers with all active rows on their bounds.
@@ -58,11 +59,13 @@ class ActiveConstraints {
   void step(double length) noexcept {
     multipliers_.head(count_) -= length * dual_direction_.head(count_);
   }
-  /// Compute the x that belongs to the multipliers.
+  /// Compute x for the present multipliers.
   const Eigen::VectorXd& solve_x() noexcept;
 
   Eigen::Index count() const noexcept { return count_; }
+  /// Index of the constraint's row in A (equalities) or in C.
   int row(Eigen::Index k) const noexcept { return rows_[static_cast<std::size_t>(k)]; }
+  /// 1: upper bound, -1: lower bound
   double side(Eigen::Index k) const noexcept { return sides_[k]; }
   double value(Eigen::Index k) const noexcept {
     return sides_[k] * bounds_[k];
@@ -81,7 +84,7 @@ class ActiveConstraints {
   Eigen::VectorXd sides_, bounds_, multipliers_;
   Eigen::MatrixXd V_, R_;
   Eigen::VectorXd v_, l_,
-      dual_direction_;  // candidate row: v = L^-1 side c, l = R^-1 V'v, direction = R'^-1 l
+      dual_direction_;  // candidate row: v = L^-1 side c, l = R^-1 V'v, dual_direction = R'^-1 l
   double squared_residual_ = 0.0;
 };
 

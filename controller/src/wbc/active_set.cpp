@@ -9,12 +9,12 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// Violation above which a constraint counts as violated, as a share of the tolerance. Chosen.
-// Smaller than 1, so that QpCheck accepts the solution with a margin; larger than rounding errors.
-// Test: test_active_set.cpp.
+// Violation above which a constraint counts as violated, as a share of the tolerance. Chosen:
+// smaller than 1, so that the solution passes QpCheck with a margin, and larger than rounding
+// errors. Test: test_active_set.cpp.
 constexpr double kViolationShare = 0.1;
-// Largest plausible distance between two solutions, in H's metric with trace(H) = n. Chosen. Far
-// larger than the size of solutions in QP units (order 1). Test:
+// Largest plausible distance between two solutions, in H's metric with trace(H) = n. Chosen: far
+// larger than solutions in QP units, which are of order 1. Test:
 // nearly_parallel_constraints_are_not_reported_as_infeasible.
 constexpr double kMaxDistance = 1e4;
 
@@ -60,12 +60,12 @@ bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexce
     const double bound = bound_of(problem, row, side);
     if (!(std::abs(bound) < kNoBound)) continue;
     rows_.project(problem.C.row(row), side);
-    rows_.append(row, side, bound, 0.0);  // skips rows that depend on earlier ones
+    rows_.append(row, side, bound, 0.0);  // append() skips rows that depend on earlier ones
   }
   return true;
 }
 
-// The dual method needs an initial active set without negative multipliers.
+// The dual method must start from an active set without negative multipliers.
 bool ActiveSet::drop_negative_multipliers() noexcept {
   for (;;) {
     rows_.solve_multipliers();
@@ -83,8 +83,8 @@ bool ActiveSet::drop_negative_multipliers() noexcept {
   }
 }
 
-// Set each active row to the value of its bound. A rounding error on an active row is no violation,
-// but would make the method exchange rows.
+// Return the most violated constraint. The entries of Cx for active rows are set to their bounds: a
+// rounding error there is no violation, but would make the method exchange rows.
 ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double tolerance) noexcept {
   x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
@@ -101,7 +101,7 @@ ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double t
 }
 
 // Step towards the violated constraint until it holds. If the multiplier of an active constraint
-// reaches zero before that, remove the active constraint and continue.
+// reaches zero first, remove that constraint and continue.
 ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
                                            const Violation& violation) noexcept {
   const auto& [row, side, amount] = violation;
@@ -131,9 +131,9 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
   }
 }
 
-// The violated row depends on active rows, and no multiplier limits the step. So these rows
-// contradict each other. If the row is only nearly dependent, a distant point may satisfy all rows.
-// ProxQP then has to decide.
+// The violated row depends on the active rows, and no multiplier limits the step. So these
+// constraints contradict each other. If the row is only nearly dependent, a distant point may
+// satisfy all of them, and ProxQP has to decide.
 ActiveSet::Outcome ActiveSet::judge_infeasibility(double missing) noexcept {
   const bool certain = missing > kMaxDistance * rows_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;

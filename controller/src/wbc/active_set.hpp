@@ -8,19 +8,19 @@ namespace surefoot {
 /// Active-set solver for strictly convex QPs, warm started with the active set of the last QP.
 ///
 /// Method: the dual method of Goldfarb and Idnani (1983). It starts at the optimum for the initial
-/// active set. Then it adds the most violated constraint to the active set, one at a time. It
-/// removes a constraint whose multiplier would change sign. The method ends when no constraint is
-/// violated, or when constraints contradict each other. From one tick to the next the active set
-/// hardly changes, so most solves need one small factorisation. The caller must check the solution
-/// for rounding errors. Real-time: yes, at most max_changes changes of the active set.
+/// active set. In each step it adds the most violated constraint to the active set and removes the
+/// constraints whose multipliers would change sign. It ends when no constraint is violated, or when
+/// constraints contradict each other. From one tick to the next the active set hardly changes, so
+/// most solves need one small factorisation. Rounding errors are not corrected: the caller must
+/// check the solution. Real-time: yes, with at most max_changes changes of the active set.
 class ActiveSet {
  public:
-  /// Most changes of the active set in one solve; after them ProxQP takes over. Chosen. Larger than
-  /// the 86 changes that an elastic QP needed from a cold start (24 from the active set of the hard
-  /// QP), see docs/condensed-qp.md.
+  /// Largest number of changes of the active set in one solve; ProxQP solves the QP if more are
+  /// needed. Chosen: larger than the 86 changes that an elastic QP needed from a cold start (24
+  /// from the active set of the hard QP), see docs/condensed-qp.md.
   static constexpr int kMaxChanges = 100;
 
-  /// @param max_changes number of constraints that may be added or removed in one solve
+  /// @param max_changes largest number of constraints that one solve may add and remove, added up
   ActiveSet(int n, int n_eq, int n_in, int max_changes = kMaxChanges);
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };

@@ -18,23 +18,23 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 /// The equations of motion and the contact accelerations therefore hold for any f.
 /// docs/condensed-qp.md has the derivation.
 struct Condensed {
-  Matrix6x12 B;  ///< from forces [N] (FR FL RR RL, world axes) to the base acceleration
-  Vector6 c;
-  Matrix12 T;  ///< from forces to joint torques (SDK motor order)
-  Vector12 t0;
-  Eigen::Matrix<double, 12, 6> W;  ///< from a_b to leg accelerations (SDK motor order)
-  Vector12 w;
+  Matrix6x12 B;  ///< base acceleration per contact force [N] (FR FL RR RL, world axes)
+  Vector6 c;     ///< base acceleration at zero contact forces
+  Matrix12 T;    ///< joint torques (SDK motor order) per contact force
+  Vector12 t0;   ///< joint torques at zero contact forces [N.m]
+  Eigen::Matrix<double, 12, 6> W;  ///< leg accelerations (SDK motor order) per base acceleration
+  Vector12 w;                      ///< leg accelerations at zero base acceleration [rad/s^2]
 
-  /// Return the leg accelerations (SDK motor order) for a base acceleration.
+  /// Return the leg accelerations (SDK motor order) [rad/s^2] for a base acceleration.
   Vector12 leg_accelerations(const Vector6& a_base) const noexcept { return W * a_base + w; }
 };
 
 /// Compute the condensed equations of motion.
 /// @param feet_acceleration desired contact accelerations, world axes [m/s^2]
-/// @param external_wrench external wrench on the base, about its origin, base axes [N], [N.m]; it
-/// is added to J_b^T f
-/// @param smallest_determinant a leg whose |det J| [m^3] is smaller counts as singular
-/// @return false if a leg is singular: its foot is near hip height, or its knee is straight
+/// @param external_wrench external wrench on the base about its origin, base axes [N], [N.m];
+///   `wrench` in the equations above
+/// @param smallest_determinant [m^3] a leg with a smaller |det J| counts as singular
+/// @return false if a leg is singular: its foot is near hip height, or its knee is nearly straight
 /// Real-time: yes.
 bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
               const Vector6& external_wrench, double smallest_determinant, Condensed& out) noexcept;

@@ -11,14 +11,14 @@
 namespace surefoot {
 
 /// The QP in condensed form. Its 12 variables are the contact forces, in units of a quarter of the
-/// weight.
+/// robot's weight.
 ///
 /// condense() eliminates accelerations and torques with the equations of motion:
 ///   a_b = B f + c,   a_l = W a_b + w,   tau = T f + t0
 /// so every task and every limit becomes rows in f. The QP has no equalities. Its hard constraints
-/// (friction and normal force) allow f = 0, and all others are elastic. So the QP is always
-/// feasible. This form is valid only for a robot with four legs of three joints and no further
-/// joints, while no leg is singular. Real-time: build() and read_solution() yes.
+/// (friction and normal force) allow f = 0, and all other constraints are elastic. So the QP is
+/// always feasible. This form is valid only for a robot with four legs of three joints each and no
+/// other joints, and only while no leg is singular. Real-time: build() and read_solution() yes.
 class CondensedQp {
  public:
   CondensedQp(const JointTable& joints, const QpUnits& units);
@@ -32,8 +32,8 @@ class CondensedQp {
   /// Share of trace(H) that does not come from user tasks, 0 .. 1.
   double built_in_share() const noexcept { return built_in_share_; }
 
-  /// Convert a solution x to forces [N], accelerations (Pinocchio's order) and torques [N.m] (order
-  /// of the joint table).
+  /// Convert a solution x to contact forces [N], accelerations (Pinocchio's order) and joint
+  /// torques [N.m] (order of the joint table).
   void read_solution(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
                      Eigen::VectorXd& torques) const noexcept;
 

@@ -7,12 +7,12 @@ namespace surefoot {
 
 namespace {
 
-// Number of ticks without slack after which the hard QP is solved again. Chosen. If smaller: many
-// ticks solve both QPs. If larger: ticks solve the larger QP for longer than needed. Test:
+// Number of solves without slack after which the hard QP is tried again. Chosen. If smaller: more
+// ticks solve both QPs. If larger: more ticks solve the larger QP without need. Test:
 // elastic_mode_lasts_equally_long_each_time.
 constexpr int kTicksWithoutSlack = 10;
-// Slack above which a constraint counts as violated. Numerical: ten times the default tolerance
-// (1e-6).
+// Slack above which a constraint counts as violated. Numerical: ten times the default tolerance,
+// 1e-6.
 constexpr double kMinSlack = 1e-5;
 
 int elastic_count(const ElasticRows& rows) {
@@ -23,14 +23,14 @@ int elastic_count(const ElasticRows& rows) {
 
 }  // namespace
 
-// Inner iterations of ProxQP after which no further attempt begins. Chosen. The elastic QP has
-// about twice the variables, so it gets a larger budget. If still larger: a tick could exceed its
-// period.
+// Numbers of inner iterations of ProxQP after which no further attempt begins. Chosen. The elastic
+// QP has about twice the variables of the hard QP, so its budget is larger. If still larger: a tick
+// could exceed its period.
 const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
-const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt each
+const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt for each QP
 
-// Rows of the elastic QP: first the rows of the hard QP, where elastic rows keep only their upper
-// bound; then the lower bounds of the elastic rows; then s >= 0.
+// Rows of the elastic QP, in this order: the rows of the hard QP, where elastic rows keep only
+// their upper bound; the lower bounds of the elastic rows; s >= 0.
 ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance)
     : n_(n),
       n_in_(static_cast<int>(rows.group.size())),
@@ -95,7 +95,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
   return result;
 }
 
-// Start from the active set of the hard QP and with all slacks zero.
+// Start the elastic solver from the active set of the hard QP, with all slacks zero.
 void ElasticSolver::warm_start_elastic() noexcept {
   ticks_without_slack_ = 0;
   start_multipliers_.setZero();
@@ -107,6 +107,8 @@ void ElasticSolver::warm_start_elastic() noexcept {
   elastic_solver_.warm_start_from(start_multipliers_);
 }
 
+// Return whether, in each group, the sum of the |multipliers| of the hard QP is at most the
+// penalty.
 bool ElasticSolver::within_penalty(const Eigen::VectorXd& penalty) noexcept {
   group_multipliers_.setZero();
   for (int row = 0; row < n_in_; ++row) {

@@ -7,25 +7,24 @@
 
 namespace surefoot {
 
-/// The elastic rows of C and their groups.
+/// Assignment of the rows of C to groups; the elastic rows of a group share one slack.
 struct ElasticRows {
   int groups = 0;          ///< number of groups
-  std::vector<int> group;  ///< per row of C: its group, or -1 for a hard row
+  std::vector<int> group;  ///< for each row of C: its group, or -1 if the row is hard
 };
 
 /// Solver for QPs with elastic constraints, which may be violated at a penalty:
 ///   minimise    1/2 x'H x + g'x + sum_k (penalty_k s_k + 1/2 curvature s_k^2)
 ///   subject to  A x = b,   l - s <= C x <= u + s,   s >= 0
-/// The rows of group k share the slack s_k; hard rows have none. The QP is feasible if its hard
-/// constraints are.
+/// The rows of group k share the slack s_k; hard rows have no slack. The elastic QP is feasible
+/// whenever its hard constraints are feasible.
 ///
 /// The penalty is linear and therefore exact (Nocedal and Wright 2006, thm. 17.3). The hard QP is
-/// the QP with all rows hard. If the sum of the |multipliers| of each group k is at most penalty_k,
-/// the solution of the hard QP also solves the elastic QP, with s = 0. So the solver first solves
-/// the small hard QP. It solves the larger elastic QP only if the hard QP is infeasible or a sum
-/// exceeds its penalty. While a slack is nonzero, and for ten ticks afterwards, it solves the
-/// elastic QP alone.
-/// Real-time: solve() yes.
+/// the QP without slacks. If the sum of the |multipliers| of each group k is at most penalty_k, the
+/// solution of the hard QP also solves the elastic QP, with s = 0. So the solver first solves the
+/// hard QP, which is smaller. It solves the elastic QP only if the hard QP is infeasible or one of
+/// these sums exceeds its penalty. While a slack is nonzero, and for ten solves afterwards, it
+/// solves the elastic QP alone. Real-time: solve() yes.
 class ElasticSolver {
  public:
   ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance);
@@ -37,22 +36,24 @@ class ElasticSolver {
   }
 
   /// Solve the elastic QP, warm started from the last solve.
-  /// @param penalty shape (groups,), in the scaling of the QP
-  /// @param curvature of the slacks' cost, larger than 0
+  /// @param penalty penalty_k of each group, shape (groups,), in the scaling of the QP
+  /// @param curvature curvature of the slacks' cost, larger than 0
   QpResult solve(const QpProblem& problem, const Eigen::VectorXd& penalty,
                  double curvature) noexcept;
 
-  /// Solve from a cold start. In each QP, ProxQP gets only one attempt after the active-set method.
+  /// Solve the elastic QP from a cold start. For each of the two QPs, ProxQP gets only one attempt
+  /// after the active-set method.
   QpResult solve_cold(const QpProblem& problem, const Eigen::VectorXd& penalty,
                       double curvature) noexcept;
 
   void reset() noexcept;
+  /// Solution of the last solve, without the slacks.
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
   /// Return whether the next solve starts with the elastic QP: a slack was nonzero in the last ten
   /// solves.
   bool elastic_mode() const noexcept { return elastic_mode_; }
-  /// Return the QP that was solved last: `problem`, or the elastic QP with slacks.
+  /// Return the QP that was solved last: `problem`, or the elastic QP with its slacks.
   const QpProblem& solved_problem(const QpProblem& problem) const noexcept {
     return used_elastic_ ? elastic_ : problem;
   }

@@ -21,8 +21,9 @@ void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& o
       l[kFacets] = 0.0;
       u[kFacets] = terms.normal_max[leg] / unit;
     } else {
-      // No force: three rows f = 0. The facets of an empty cone would all meet in one point, where
-      // the multipliers are not unique and the solver is slow.
+      // No contact force: three rows f = 0. A friction cone of height zero would not do: all its
+      // facets would meet in one point, where the multipliers are not unique and the solver is
+      // slow.
       C.setZero();
       C.topRows<3>().setIdentity();
       l.head<3>().setZero();

@@ -7,7 +7,8 @@
 
 namespace surefoot {
 
-/// Write the rows of friction, normal force and hold-down, the same in both forms.
+/// Write the rows of friction, normal force and hold-down. They are the same in both forms of the
+/// QP.
 /// @param first index of the first force in x
 /// @param unit [N] unit of a force variable
 /// Real-time: yes.

@@ -8,17 +8,19 @@
 namespace surefoot {
 
 namespace {
-// Depths [m] are distances of a stance foot below its hip axis. Determinants are |det J|, relative
-// to smallest_determinant. All constants are chosen by hand. Tests: test_form_selector.cpp,
+// A depth is the distance [m] of a stance foot below its hip axis. A determinant is |det J| divided
+// by smallest_determinant. All constants are chosen by hand. Tests: test_form_selector.cpp,
 // test_singular_legs.cpp.
 //
-// [m] Depth below which a regular leg becomes singular. It is less than the 0.07 m that body
-// references keep (gain reach_foot_depth).
+// [m] Depth below which a regular leg becomes singular. Less than the 0.07 m that BodyReference
+// keeps (gain reach_foot_depth).
 constexpr double kSmallestDepth = 0.05;
-constexpr double kRegularDepth = 0.06;       // [m] above it a singular leg becomes regular
-constexpr double kRegularDeterminant = 1.2;  // above it a singular leg becomes regular
-// Softness rises from 0 to 1 over this depth below kSmallestDepth, and over this determinant below
-// 1. The ranges are wide enough that torques do not step, and end before the singularity itself.
+constexpr double kRegularDepth = 0.06;  // [m] depth above which a singular leg becomes regular
+// Determinant above which a singular leg becomes regular.
+constexpr double kRegularDeterminant = 1.2;
+// The softness rises from 0 to 1 while the depth falls by kSoftDepth below kSmallestDepth, or while
+// the determinant falls by kSoftDeterminant below 1. These ranges are wide enough that the torques
+// do not jump, and they end before the singularity itself.
 constexpr double kSoftDepth = 0.02;  // [m]
 constexpr double kSoftDeterminant = 0.7;
 }  // namespace

@@ -10,9 +10,9 @@ namespace surefoot {
 namespace {
 constexpr int kForces = QpLayout::kForces;
 constexpr int kEqualities = 6 + kForces;
-// Weight of the squared equalities in the cost, which make H positive definite. They are zero at
-// the solution, so any positive weight gives the same solution. Chosen: 1, the size of the other
-// rows.
+// The squared equality rows are added to the cost with this weight, so that H is positive definite.
+// They are zero at the solution, so any positive weight gives the same solution. Chosen: 1, the
+// size of the other rows.
 constexpr double kEqualityWeight = 1.0;
 }  // namespace
 
@@ -120,8 +120,8 @@ void GeneralQp::add_body(const BodyRows& rows) noexcept {
   }
 }
 
-// Add the foot acceleration as a task, with the error in units of g. The foot then gets the
-// acceleration that its leg can still produce.
+// Add the foot acceleration as a task, in units of g. The foot then gets only the acceleration that
+// its leg can still produce.
 void GeneralQp::add_soft_foot(const Dynamics& dynamics, const QpTerms& terms, int leg) noexcept {
   const double scale = 1.0 / units_.linear;
   for (int k = 0; k < 3; ++k) {

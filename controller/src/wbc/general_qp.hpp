@@ -14,10 +14,11 @@ namespace surefoot {
 ///
 ///   equalities: the six equations of motion of the base; the foot accelerations
 ///   torques:    tau = M_j a + h_j - J_j' f, bounded by inequality rows
-/// If a leg is nearly singular, its foot acceleration is a task in the cost instead (FormSelector).
+/// If a leg is nearly singular, its foot acceleration is a task in the cost instead of an equality
+/// (FormSelector).
 /// The tasks and limits are the same as in CondensedQp. Where both forms are valid, their solutions
 /// agree.
-/// The cost also contains a multiple of the squared equality rows, which makes H positive definite.
+/// The cost also contains a multiple of the squared equality rows, so that H is positive definite.
 /// This part is zero where the equalities hold, so it does not change the solution.
 /// Real-time: build() and read_solution() yes.
 class GeneralQp {
@@ -33,7 +34,7 @@ class GeneralQp {
   /// Share of trace(H) that does not come from user tasks, 0 .. 1.
   double built_in_share() const noexcept { return built_in_share_; }
 
-  /// Convert a solution x, see CondensedQp::read_solution().
+  /// Convert a solution x as CondensedQp::read_solution() does.
   void read_solution(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
                      Eigen::VectorXd& torques) const noexcept;
 
@@ -50,7 +51,7 @@ class GeneralQp {
   QpUnits units_;
   QpLayout layout_;
   FullDynamics full_;
-  Eigen::VectorXd unit_;  // unit of each variable
+  Eigen::VectorXd unit_;  // unit of each variable: [m/s^2], [rad/s^2] or [N]
   Eigen::VectorXd row_;   // scratch: one row of the cost
   QpProblem problem_;
   double cost_scale_ = 1.0;

@@ -6,7 +6,8 @@ namespace surefoot {
 namespace {
 
 // Tolerance of the norm of unit quaternions and ground normals. Numerical: above the rounding of a
-// float (1e-7). The QP assumes a norm of 1, so this tolerance bounds the error of that assumption.
+// float, 1e-7. The QP assumes a norm of 1, so the tolerance also bounds the error of this
+// assumption.
 constexpr double kUnitTolerance = 1e-3;
 
 bool finite(const Reference& r) noexcept {
@@ -46,7 +47,7 @@ Status check_reference(const Reference& r, const Robot& robot) noexcept {
   if (!finite(r)) return Status::kNonFinite;
   const bool valid = std::abs(r.R_world_base.norm() - 1.0) <= kUnitTolerance &&
                      std::abs(r.ground_normal.norm() - 1.0) <= kUnitTolerance &&
-                     r.ground_normal.z() > 0.1;
+                     r.ground_normal.z() > 0.1;  // an almost horizontal normal is an error
   return valid ? Status::kOk : Status::kBadReference;
 }
 

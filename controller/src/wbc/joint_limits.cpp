@@ -26,7 +26,8 @@ void joint_limits(const RobotConfig& config, const JointTable& joints, const Gai
       lower = std::max(lower, r * r * (joint.q_lower + gains.joint_limit_margin - q) - 2 * r * dq);
       upper = std::min(upper, r * r * (joint.q_upper - gains.joint_limit_margin - q) - 2 * r * dq);
     }
-    // Far outside the range the two limits can contradict each other. Their mean is a compromise.
+    // Far outside the joint's range the two limits can contradict each other. Their mean is a
+    // compromise.
     if (lower > upper) lower = upper = 0.5 * (lower + upper);
     out.a_lower[k] = lower;
     out.a_upper[k] = upper;

@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// Limits on joint torques and accelerations at this instant, in the order of a JointTable.
+/// Limits on joint torques and accelerations in the present state, in the order of a JointTable.
 struct JointLimits {
   explicit JointLimits(int size)
       : tau_lower(Eigen::VectorXd::Zero(size)),
@@ -15,9 +15,10 @@ struct JointLimits {
         a_upper(tau_lower),
         a_released(tau_lower) {}
   Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
-  Eigen::VectorXd a_lower, a_upper;  ///< [rad/s^2] limits that keep position and velocity in range
-  Eigen::VectorXd a_released;  ///< [rad/s^2] by how much the QP widens a_lower and a_upper, see
-                               ///< release_unloaded_legs()
+  /// [rad/s^2] Limits that keep joint position and velocity in range.
+  Eigen::VectorXd a_lower, a_upper;
+  /// [rad/s^2] Amount by which the QP widens a_lower and a_upper, see release_unloaded_legs().
+  Eigen::VectorXd a_released;
 };
 
 /// Compute the joint limits. Torque limits follow the motors' torque-speed curve. Acceleration
@@ -25,7 +26,7 @@ struct JointLimits {
 ///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),   r = joint_limit_rate
 /// and likewise for the lower limits. Lower <= upper always holds. a_released is set to zero.
 /// Real-time: yes.
-/// @param share usable share of each motor's torque, 0 .. 1, SDK order
+/// @param share usable share of each motor's torque, 0 .. 1, SDK motor order
 void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
                   const Vector12& share, const RobotState& state, JointLimits& out) noexcept;
 

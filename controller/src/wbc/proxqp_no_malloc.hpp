@@ -3,13 +3,13 @@
 
 #include <proxsuite/linalg/dense/core.hpp>
 
-// Replaces one function of ProxSuite 0.8.0 so that QpSolver::solve() allocates nothing, as its
-// documentation says.
+// Replaces one function of ProxSuite 0.8.0, so that QpSolver::solve() allocates nothing, as the
+// documentation of QpSolver promises.
 // The LDLT update of ProxSuite computes
 //   dst += (factor * lhs) * rhs
 // with dynamic sizes. If dst has one row, Eigen evaluates `factor * lhs` into a heap vector: a few
-// mallocs in 20 000 ticks. The same product by coefficients allocates nothing and is no slower at
-// this size. Include this file before the solver.
+// mallocs in 20 000 ticks. The loops below compute the same product without allocation, and are as
+// fast at this size. Include this file before the solver.
 namespace proxsuite::linalg::dense::_detail {
 
 using StridedMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>,

@@ -12,15 +12,15 @@ namespace {
 
 namespace proxqp = proxsuite::proxqp;
 
-// Duality gap at which ProxQP stops, as a share of the tolerance. Chosen. Smaller than 1, because
-// ProxQP judges the sum over all rows, but QpCheck judges each row.
+// Duality gap at which ProxQP stops, as a share of the tolerance. Chosen smaller than 1: ProxQP
+// judges the sum of the gaps of all rows, QpCheck judges each row.
 constexpr double kSolverGap = 0.1;
-// Multipliers smaller than this are rounding residues. Chosen. Larger than the residues seen
-// (1e-24), smaller than the tolerance.
+// Multipliers smaller than this are rounding residues. Chosen larger than the residues seen, 1e-24,
+// and smaller than the tolerance.
 constexpr double kResidue = 1e-12;
-// Largest numbers of outer iterations in an attempt, and of inner iterations in an outer one.
+// Largest number of outer iterations in an attempt, and of inner iterations in an outer iteration.
 // Chosen: ProxQP has no time limit, so 12 x 8 = 96 inner iterations bound the time of an attempt.
-// QpSolver then corrects the multipliers and starts another attempt.
+// If more are needed, QpSolver corrects the multipliers and starts another attempt.
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -38,17 +38,18 @@ ProxqpRunner::ProxqpRunner(int n, int n_eq, int n_in)
   qp.settings.eps_rel = 0.0;
   qp.settings.max_iter = kMaxOuter;
   qp.settings.max_iter_in = kMaxInner;
-  // With the default 1e-4 ProxQP 0.8.0 reports feasible balance QPs as infeasible after a warm
-  // start; with 1e-9 or less it reported none of 3000 QPs.
+  // With the default of 1e-4, ProxQP 0.8.0 reports feasible balance QPs as infeasible after a warm
+  // start. With 1e-9 or less it reported none of 3000 such QPs as infeasible.
   qp.settings.eps_primal_inf = 1e-12;
   qp.settings.eps_dual_inf = 1e-12;
   // With primal and dual residuals alone, ProxQP may stop with nonzero multipliers on inactive
-  // rows. Such a result looks converged but is not optimal. The duality gap detects it.
+  // rows. Such a result looks converged but is not optimal. The duality gap reveals it.
   qp.settings.check_duality_gap = true;
   qp.settings.eps_duality_gap_rel = 0.0;
-  qp.settings.default_mu_in = 1e-2;  // chosen: 1e-3 to 1e-1 solve these QPs; 1e-1 is the default
+  // chosen: 1e-3 to 1e-1 solve these QPs; ProxQP's default is 1e-1.
+  qp.settings.default_mu_in = 1e-2;
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
-  // One regular init() sets the sizes and the identity preconditioner.
+  // init() is called once, to set the sizes and the identity preconditioner.
   const QpProblem dummy(n, n_eq, n_in);
   const RowMatrix identity = RowMatrix::Identity(n, n);
   qp.init(identity, dummy.g, dummy.A, dummy.b, dummy.C, dummy.l, dummy.u, false);
@@ -76,8 +77,9 @@ void ProxqpRunner::set_problem(const QpProblem& problem) noexcept {
   model.u = problem.u.cwiseMin(kNoBound);
 }
 
-// QP::update() allocates and rescales. The QP is already scaled and has a fixed size. So copy the
-// QP to the fields that update() would fill, request a factorisation, and call the solver directly.
+// QP::update() allocates memory and rescales. The QP is already scaled and has a fixed size. So
+// run() copies the QP to the fields that update() would fill, requests a factorisation, and calls
+// the solver directly.
 ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   auto& qp = workspace_->qp;
   auto& work = qp.work;
@@ -102,8 +104,8 @@ ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   qp.results.cleanup_statistics();
   proxqp::dense::qp_solve(qp.settings, qp.model, qp.results, work, false, qp.which_dense_backend(),
                           qp.which_hessian_type(), qp.ruiz);
-  // ProxQP leaves rounding residues of 1e-24 on nearly all multipliers. A warm start treats each
-  // row with a nonzero multiplier as active.
+  // ProxQP leaves rounding residues of 1e-24 on nearly all multipliers. A warm start would treat
+  // each row with a nonzero multiplier as active.
   auto& z = qp.results.z;
   z = (z.array().abs() < kResidue).select(0.0, z);
   Outcome outcome;

@@ -9,9 +9,8 @@ namespace surefoot {
 
 /// ProxQP's dense solver for scaled QPs of one size, without memory allocation in run().
 ///
-/// x, y and z are the initial guess of a run, and afterwards its result. The caller must check the
-/// result.
-/// Real-time: all but the constructor.
+/// x, y and z are the initial guess before run(), and its result afterwards. The caller must check
+/// the result. Real-time: all functions except the constructor.
 class ProxqpRunner {
  public:
   ProxqpRunner(int n, int n_eq, int n_in);

@@ -8,9 +8,9 @@ namespace surefoot {
 
 namespace {
 
-// Largest accepted residual, as a multiple of the tolerance. Chosen. Larger than 1, because each
-// solver stops by its own residuals, which differ from those computed here. docs/qp-benchmark.md
-// judges all solvers by the same limit, 5e-6.
+// Largest accepted residual, as a multiple of the tolerance. Chosen larger than 1, because each
+// solver stops by its own residuals, which differ from the residuals computed here.
+// docs/qp-benchmark.md judges all solvers by the same limit, 5e-6.
 constexpr double kAccept = 5.0;
 
 // Zero times NaN or infinity is NaN, so one sum checks all entries. allFinite() tests each entry
@@ -20,7 +20,7 @@ bool is_finite(const Values& values) {
   return (values.array() * 0.0).sum() == 0.0;
 }
 
-// The loop has no early exit, so that the compiler can vectorise it.
+// The loop has no early exit, so the compiler can vectorise it.
 bool has_nan(const Eigen::VectorXd& values) {
   bool found = false;
   for (Eigen::Index i = 0; i < values.size(); ++i) found |= !(values[i] == values[i]);
@@ -40,8 +40,9 @@ QpCheck::QpCheck(int n, int n_eq, int n_in)
       Cx_(Eigen::VectorXd::Zero(n_in)),
       gradient_(Eigen::VectorXd::Zero(n)) {}
 
-// A multiplier on a side without a bound is an error: its own size is the gap. A multiplier above 1
-// counts as 1, because a larger multiplier also only means that the row must be on its bound.
+// A nonzero multiplier on a side without a bound is an error; the gap is then the size of the
+// multiplier. A multiplier above 1 counts as 1, because any positive multiplier only means that the
+// row must be on its bound.
 double QpCheck::row_gap(double z, double Cx, double l, double u) noexcept {
   const double bound = z > 0.0 ? u : l;
   return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0);
@@ -55,7 +56,7 @@ QpResult QpCheck::operator()(const QpProblem& problem, const Eigen::VectorXd& x,
   gradient_.noalias() += problem.H * x;
   QpResult out;
   for (Eigen::Index i = 0; i < Cx_.size(); ++i) {
-    if (z[i] == 0.0) continue;  // most rows
+    if (z[i] == 0.0) continue;  // true for most rows
     gradient_ += z[i] * problem.C.row(i).transpose();
     out.gap = std::max(out.gap, row_gap(z[i], Cx_[i], problem.l[i], problem.u[i]));
   }

@@ -6,11 +6,13 @@
 
 namespace surefoot {
 
-/// Layout of the inequality rows, the same in the condensed and in the general form:
-///   hard:    per foot kFacets rows of the friction pyramid and one of the normal force;
-///   elastic: one hold-down row per foot, one torque and one acceleration row per joint.
-/// The elastic rows of one group share one slack. The groups are the hold-down of a foot, the
-/// torques of a leg and the accelerations of a leg. Joints beyond the legs form a fifth "leg".
+/// Order of the inequality rows, which is the same in the condensed and in the general form:
+///   hard:    for each foot kFacets rows of the friction pyramid, then one row of the normal force;
+///   elastic: one hold-down row for each foot, one torque row for each joint, one acceleration row
+///   for each joint.
+/// The elastic rows of a group share one slack. The groups are the hold-down of each foot, the
+/// torques of each leg and the accelerations of each leg. All joints outside the legs form a fifth
+/// "leg".
 struct QpLayout {
   static constexpr int kForces = 3 * kLegs;
   static constexpr int kFootRows = kFacets + 1;
@@ -19,6 +21,7 @@ struct QpLayout {
   static constexpr int kGroups = kLegs + 2 * kLegGroups;
 
   explicit QpLayout(int joint_count) : joints(joint_count) {}
+  // Index of the first row of each kind:
   int hold_down() const noexcept { return kHard; }
   int torque() const noexcept { return kHard + kLegs; }
   int acceleration() const noexcept { return torque() + joints; }

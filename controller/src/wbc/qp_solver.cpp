@@ -12,10 +12,11 @@ namespace {
 
 // Chosen by hand. Tests: proxqp_alone_solves_97_percent_of_degenerate_qps,
 // both_methods_meet_a_tolerance_of_1e_minus_12.
-constexpr int kWarmAttempts = 3;  // a warm start, then two without its wrong multipliers
-constexpr int kAttempts = 6;      // the warm attempts, then a cold start and two more
+constexpr int kWarmAttempts = 3;  // a warm start, then two attempts without wrong multipliers
+constexpr int kAttempts = 6;      // the warm attempts, then a cold start and two more attempts
 constexpr double kTight = 1e-8;   // smaller tolerances are for offline checks without a deadline
-constexpr int kTightFactor = 10;  // factor on attempts and budget for such a tolerance
+// Number of attempts and budget are multiplied by this factor below kTight.
+constexpr int kTightFactor = 10;
 
 }  // namespace
 
@@ -23,7 +24,7 @@ struct QpSolver::Workspace {
   Workspace(int n, int n_eq, int n_in, int max_changes)
       : active_set(n, n_eq, n_in, max_changes), proxqp(n, n_eq, n_in), check(n, n_eq, n_in) {}
   ActiveSet active_set;
-  ProxqpRunner proxqp;  // holds the solution of both solvers
+  ProxqpRunner proxqp;  // its x, y and z hold the solution of either solver
   QpCheck check;
 };
 
@@ -71,7 +72,7 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasi
   return result;
 }
 
-// Between ticks the active set hardly changes, so ActiveSet usually finds the solution.
+// From tick to tick the active set hardly changes, so ActiveSet usually finds the solution.
 QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
   ActiveSet& active_set = workspace_->active_set;
   ProxqpRunner& proxqp = workspace_->proxqp;
@@ -111,8 +112,8 @@ void QpSolver::clear_answer() noexcept {
   proxqp.z().setZero();
 }
 
-// A nonzero multiplier on a row away from its bound shows that the solution is not optimal yet. The
-// next attempt starts without it.
+// A nonzero multiplier on a row away from its bound shows that the solution is not optimal yet. Set
+// such multipliers to zero before the next attempt.
 void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   Eigen::VectorXd& z = workspace_->proxqp.z();
   const Eigen::VectorXd& Cx = workspace_->check.Cx();

@@ -24,14 +24,15 @@ enum class Feasibility { kCertain, kDoubtful };
 ///
 /// ActiveSet starts from the active constraints of the last solution. ProxQP solves the QP if
 /// ActiveSet does not finish, or if its solution fails the residual check (QpCheck). The solutions
-/// of both solvers pass the same check.
-/// The QP must be scaled (trace(H) = n, condition number a few hundred at most), because there is
-/// no preconditioner. Real-time: solve() yes, allocates nothing.
+/// of both solvers must pass this check.
+/// The QP must be scaled, because there is no preconditioner: trace(H) = n and a condition number
+/// of at most a few hundred. Real-time: solve() yes, allocates nothing.
 class QpSolver {
  public:
   /// @param tolerance of the residuals; QpCheck accepts residuals up to 5 times as large
   QpSolver(int n, int n_eq, int n_in, double tolerance);
-  /// @param max_changes of the active set before ProxQP takes over; 0: ProxQP solves nearly all QPs
+  /// @param max_changes largest number of changes of the active set before ProxQP takes over; with
+  ///   0 ProxQP solves nearly all QPs
   QpSolver(int n, int n_eq, int n_in, double tolerance, int max_changes);
   ~QpSolver();
 
@@ -39,20 +40,20 @@ class QpSolver {
   ///
   /// If ProxQP's result fails the check, the next attempt starts from this result without its wrong
   /// multipliers. The fourth attempt is a cold start.
-  /// @param budget inner iterations of ProxQP after which no further attempt begins
-  /// @param feasibility kDoubtful: if ActiveSet finds contradicting constraints, the solve ends
-  ///   with kInfeasible. kCertain: a solution exists, so the contradiction is a rounding error, and
-  ///   ProxQP runs
+  /// @param budget number of inner iterations of ProxQP after which no further attempt begins
+  /// @param feasibility kDoubtful: if ActiveSet finds contradicting constraints, the result is
+  ///   kInfeasible. kCertain: a solution exists, so ActiveSet's finding is a rounding error, and
+  ///   ProxQP solves the QP
   QpResult solve(const QpProblem& problem, int budget = kBudget,
                  Feasibility feasibility = Feasibility::kCertain) noexcept;
-  /// Default budget, for callers without a deadline: about one full attempt (96 inner iterations).
-  /// ElasticSolver passes its own budgets.
+  /// Default budget, for callers without a deadline: about one full attempt of 96 inner iterations.
+  /// ElasticSolver passes budgets of its own.
   static constexpr int kBudget = 100;
 
-  /// Forget the last solution: the next solve is a cold start.
+  /// Forget the last solution, so that the next solve is a cold start.
   void reset() noexcept;
 
-  /// Start the next solve with the rows of nonzero z as active set.
+  /// Start the next solve with the rows where z is nonzero as active set.
   void warm_start_from(const Eigen::VectorXd& z) noexcept;
 
   /// Set the tolerance for the next solves.

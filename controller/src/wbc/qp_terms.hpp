@@ -16,7 +16,7 @@ namespace surefoot {
 struct CustomTask {
   std::shared_ptr<Task> task;
   TaskRows rows;
-  Eigen::VectorXd b;  ///< rows.b, converted to the frame of the QP's dynamics
+  Eigen::VectorXd b;  ///< rows.b in the inertial frame of the QP's dynamics
 };
 
 /// The tasks and constraints of one tick, independent of the form. CondensedQp and GeneralQp build
@@ -27,28 +27,34 @@ struct QpTerms {
         posture(Eigen::VectorXd::Zero(joints)),
         posture_weight(Eigen::VectorXd::Zero(joints)) {}
 
-  FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< desired, world axes [m/s^2]
-  /// External wrench on the base, about its origin, base axes [N], [N.m].
+  /// Desired acceleration of each contact point, world axes [m/s^2].
+  FeetMatrix feet_acceleration = FeetMatrix::Zero();
+  /// External wrench on the base about its origin, base axes [N], [N.m].
   Vector6 external_wrench = Vector6::Zero();
-  Condensed condensed;         ///< valid if has_condensed
-  bool has_condensed = false;  ///< false: a leg is singular, or the robot has further joints
+  Condensed condensed;  ///< valid if has_condensed
+  /// false: a leg is singular, or the robot has joints outside the legs.
+  bool has_condensed = false;
   /// Per foot, 0 .. 1. 0: the foot acceleration is an equality. Above 0: it is a task in the cost.
   Eigen::Vector4d foot_softness = Eigen::Vector4d::Zero();
-  Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();  ///< weight of that task
+  /// Weight of the task of a foot acceleration.
+  Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();
   std::array<BodyRows, 3> body;        ///< position, orientation, angular momentum
   int body_tasks = 0;                  ///< number of entries of `body` in use
   Vector12 forces = Vector12::Zero();  ///< desired contact forces [N], FR FL RR RL, world axes
-  double weight_force = 0.0;           ///< weight of the error in these forces
+  double weight_force = 0.0;           ///< weight of the deviation from these forces
   JointLimits limits;
-  Eigen::VectorXd posture;         ///< desired joint accelerations [rad/s^2]
-  Eigen::VectorXd posture_weight;  ///< per joint; 0: the posture does not act on it
+  Eigen::VectorXd posture;  ///< desired joint accelerations [rad/s^2]
+  /// Weight of each joint; 0: the posture does not act on the joint.
+  Eigen::VectorXd posture_weight;
   bool has_posture = false;
   std::vector<CustomTask> custom;
 
   Vector3 ground_normal = Vector3::UnitZ();
-  Eigen::Vector4d friction = Eigen::Vector4d::Zero();    ///< coefficient per foot
-  Eigen::Vector4d normal_max = Eigen::Vector4d::Zero();  ///< [N]; 0: no contact force at all
-  Eigen::Vector4d hold_down = Eigen::Vector4d::Zero();   ///< [N]; 0: no hold-down
+  Eigen::Vector4d friction = Eigen::Vector4d::Zero();  ///< friction coefficient of each foot
+  /// [N] Largest normal force; 0: no contact force at all.
+  Eigen::Vector4d normal_max = Eigen::Vector4d::Zero();
+  /// [N] Smallest normal force; 0: no hold-down.
+  Eigen::Vector4d hold_down = Eigen::Vector4d::Zero();
 };
 
 }  // namespace surefoot

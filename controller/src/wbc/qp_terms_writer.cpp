@@ -25,11 +25,11 @@ namespace surefoot {
 namespace {
 
 // Weight factor of a foot that has just become soft. The factor falls geometrically to 1 at full
-// softness. Chosen. If smaller: the torques step where the equality ends. If larger: H has a worse
-// condition number. Test: torques_stay_bounded_and_continuous_through_a_singularity.
+// softness. Chosen. If smaller: the torques jump when the equality becomes a task. If larger: the
+// condition number of H grows. Test: torques_stay_bounded_and_continuous_through_a_singularity.
 constexpr double kMaxSoftFactor = 10.0;
 
-// Return the external force and moment as a wrench about the base's origin, base axes.
+// Return the external force and moment as a wrench about the base's origin, base axes [N], [N.m].
 Vector6 external_wrench_on_base(const Dynamics& dynamics, const RobotState& state) noexcept {
   const Matrix3 R = dynamics.R_world_base().transpose();
   const Vector3 arm = dynamics.p_world_com() - dynamics.p_world_base();
@@ -114,8 +114,8 @@ void QpTermsWriter::write_body(const Gains& gains, const Dynamics& dynamics,
   write_even_forces(dynamics, desired, state, load_shares(gains, state.contact, reference));
 }
 
-// The even forces meet the rows of the position and the orientation task. If the condensed
-// equations are not valid, the even forces produce the wrench that moves the robot with locked
+// Compute the even forces that meet the rows of the position and the orientation task. If the
+// condensed equations are not valid, compute the even forces that would move the robot with locked
 // joints as desired.
 void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAcceleration& desired,
                                       const RobotState& state,
@@ -135,8 +135,8 @@ void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAccele
   even_forces_ = even_forces(A, b, share);
 }
 
-// The pull towards the even forces and the pull towards the last forces are quadratic. Their sum is
-// one pull towards the weighted mean.
+// The cost pulls the contact forces towards the even forces and towards the forces of the last
+// tick. Both terms are quadratic, so their sum is one term towards the weighted mean.
 void QpTermsWriter::write_forces(const Gains& gains, const Reference& reference,
                                  const FeetMatrix* previous) noexcept {
   Vector12 desired = even_forces_;
@@ -157,7 +157,7 @@ void QpTermsWriter::write_posture(const Gains& gains, const RobotState& state,
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const int group = joints_[k].group;
     const double free = group == kLegs ? 1.0 : terms_.foot_softness[group];
-    // Cubed: the posture must not outweigh a foot task that has just become soft.
+    // Cubed, so that the posture does not outweigh a foot task that has just become soft.
     terms_.posture_weight[k] =
         std::max(gains.weight_posture, free * free * free * gains.weight_posture_free);
     terms_.has_posture = terms_.has_posture || free > 0.0;
@@ -171,7 +171,8 @@ Status QpTermsWriter::write_custom(const Dynamics& dynamics, const RobotState& s
   for (auto& [task, rows, b] : terms_.custom) {
     if (!task->write(state, rows) || !is_valid(rows, b.size(), robot_.nv()))
       return Status::kBadTask;
-    // The QP's base acceleration belongs to the frame in which its dynamics were computed.
+    // The base acceleration in the QP belongs to the frame of Dynamics::update(). The base
+    // acceleration in the task belongs to the frame after Dynamics::shift().
     b = rows.b;
     b.noalias() -= rows.A_a.leftCols<3>() * dynamics.a_base_shift();
   }

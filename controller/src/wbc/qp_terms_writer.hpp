@@ -18,9 +18,9 @@ class QpTermsWriter {
   void add_task(std::shared_ptr<Task> task, int rows);
 
   /// Write the terms of one tick.
-  /// @param foot_softness of each foot, from FormSelector, 0 .. 1
-  /// @param previous contact forces of the last tick [N], shape (3, 4); null: there are none
-  /// @return kOk; or kBadTask if a user task failed or wrote invalid rows
+  /// @param foot_softness softness of each foot, from FormSelector, 0 .. 1
+  /// @param previous contact forces of the last tick [N], shape (3, 4); null if there are none
+  /// @return kOk, or kBadTask if a user task failed or wrote invalid rows
   Status write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                const Reference& reference, const Eigen::Vector4d& foot_softness,
                const FeetMatrix* previous) noexcept;
@@ -45,7 +45,8 @@ class QpTermsWriter {
   JointTable joints_;
   QpTerms terms_;
   Vector12 even_forces_ = Vector12::Zero();
-  Vector12 torque_share_ = Vector12::Ones();  // usable share of each motor's torque, SDK order
+  // Usable share of each motor's torque, SDK motor order.
+  Vector12 torque_share_ = Vector12::Ones();
 };
 
 }  // namespace surefoot

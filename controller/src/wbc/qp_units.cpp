@@ -14,14 +14,14 @@ namespace surefoot {
 
 namespace {
 
-// Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. At
-// smaller determinants the knee is nearly straight or the foot is near hip height, and joint
+// Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. With a
+// smaller determinant the knee is nearly straight or the foot is near hip height, and the joint
 // accelerations become large. Chosen: at this share they are ten times those of the standing pose.
-// If larger: poses that BodyReference allows are excluded.
+// If larger: poses that BodyReference allows would be excluded.
 constexpr double kSmallestShare = 0.1;
 
-// Return the norm of each row of the matrix from contact forces to the angular acceleration of the
-// base. The feet are fixed if the condensed form is valid; otherwise the joints are locked.
+// Return the row norms of the matrix that maps contact forces to the angular acceleration of the
+// base. If the condensed form is valid, the feet are fixed; otherwise the joints are locked.
 Vector3 angular_row_lengths(const Dynamics& dynamics) {
   Eigen::Matrix<double, 3, 12> rows;
   Condensed condensed;
@@ -40,8 +40,8 @@ Vector3 angular_row_lengths(const Dynamics& dynamics) {
 
 }  // namespace
 
-// A determinant below 1e-9 m^3 is a rounding error. In the standing pose the determinant is about
-// the cube of a link length.
+// A determinant below 1e-9 m^3 can only be a rounding error: in the standing pose the determinant
+// is about the cube of a link length.
 QpUnits::QpUnits(const Robot& robot) {
   Dynamics dynamics(robot);
   dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());

@@ -6,7 +6,7 @@
 namespace surefoot {
 
 /// Units and scales of the QP's variables and rows, computed from the robot in its standing pose.
-/// They bring the entries of the QP to order one for a robot of any size.
+/// They make the entries of the QP of order one for a robot of any size.
 struct QpUnits {
   /// Throw surefoot::Error if a leg is singular in the standing pose.
   explicit QpUnits(const Robot& robot);
@@ -16,7 +16,7 @@ struct QpUnits {
   double angular = 1.0;  ///< [rad/s^2] angular acceleration of base and joints: g / length
   // Factors that bring the rows of the body tasks to length one in the standing pose.
   double scale_com = 1.0, scale_base = 1.0, scale_angular = 1.0, scale_momentum = 1.0;
-  double smallest_determinant = 0.0;  ///< [m^3] legs with a smaller |det J| are not inverted
+  double smallest_determinant = 0.0;  ///< [m^3] a leg with a smaller |det J| is not inverted
 };
 
 }  // namespace surefoot

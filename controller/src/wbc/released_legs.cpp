@@ -8,12 +8,12 @@
 namespace surefoot {
 
 namespace {
-// [rad/s^2] Largest widening of the joint acceleration limits. Chosen. Larger than the QP requires
-// of any leg; runaway legs took 400.
+// [rad/s^2] Largest widening of the joint acceleration limits. Chosen larger than any acceleration
+// that the QP requires of a leg; runaway legs reached 400.
 constexpr double kReleasedRange = 1e4;
 constexpr int kSweeps = 20;  // chosen: with three joints, further sweeps hardly change the result
 constexpr double kMinLever =
-    1e-9;  // [m^2] numerical: avoids division by zero if a joint does not move the foot
+    1e-9;  // [m^2] numerical: avoids a division by zero if a joint does not move the foot
 
 // Bounds on the accelerations of a leg's joints [rad/s^2].
 struct Bounds {
@@ -28,7 +28,7 @@ bool is_released(const JointLimits& limits, int leg) noexcept {
 }
 
 // Return the joint limits of a leg, widened so that clamping changes no acceleration by more than
-// a_released: a violation that the QP accepted through a slack must stay.
+// a_released. A violation that is left was accepted by the QP through a slack, and must stay.
 Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& desired) noexcept {
   Bounds bounds;
   for (int j = 0; j < 3; ++j) {
@@ -39,8 +39,8 @@ Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& desire
   return bounds;
 }
 
-// Return the joint accelerations within bounds that bring the foot acceleration closest to that of
-// `desired`: least squares by projected Gauss-Seidel, one joint after the other.
+// Return the joint accelerations within `bounds` that bring the foot acceleration closest to that
+// of `desired`. Method: least squares by projected Gauss-Seidel, one joint after the other.
 Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& bounds) noexcept {
   Vector3 a = desired.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
   Vector3 missing = J * (desired - a);
@@ -56,8 +56,7 @@ Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& b
   return a;
 }
 
-// Return the change [rad/s^2] of a leg's joint accelerations that brings them within the leg's
-// bounds.
+// Return the change [rad/s^2] that brings the joint accelerations of a leg within its bounds.
 Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
                         const Vector3& desired) noexcept {
   const Bounds bounds = released_bounds(limits, leg, desired);

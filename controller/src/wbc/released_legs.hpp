@@ -7,10 +7,10 @@
 namespace surefoot {
 
 // Released legs: near the support edge the QP releases a leg whose foot carries no load.
-//
-// The QP meets foot accelerations exactly. A stretched leg at its joint limit therefore limits the
-// motion of the body, even if its foot carries no load. With the capture point at the support edge,
-// an unloaded stretched front leg would turn the robot over the rear foot that still carries load.
+// The QP meets foot accelerations exactly. So a stretched leg at its joint limit limits the motion
+// of the body, even if its foot carries no load. With the capture point at the support edge, a
+// stretched front leg without load would turn the robot over the rear foot that still carries load.
+// The three functions below prevent this. In each tick they run in this order:
 // The three functions below prevent this, in the order of their use in a tick:
 //   1. release_unloaded_legs() widens the joint acceleration limits of the leg in the QP;
 //   2. limit_foot_accelerations() reduces the desired foot acceleration to what the leg can do;
@@ -19,8 +19,8 @@ namespace surefoot {
 /// Widen the joint acceleration limits of unloaded legs near the support edge, so that they do not
 /// limit the body:
 ///   limits.a_released = 1e4 rad/s^2 (1 - fade) (1 - load),   load = planned load * contact
-/// Away from the edge (fade = 1) and for loaded feet nothing changes. Real-time: yes.
-/// @param fade edge_fade(), 0 .. 1
+/// Away from the edge (fade = 1) and for loaded feet, a_released is 0. Real-time: yes.
+/// @param fade result of edge_fade(), 0 .. 1
 /// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
 /// @param reference planned load of each foot
 void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
@@ -29,23 +29,23 @@ void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::V
 /// Reduce the desired foot accelerations of released legs to what their joints can do.
 ///
 /// The QP meets foot accelerations exactly, and its solution includes the reaction of the legs on
-/// the body. If a stretched leg cannot produce the acceleration, this reaction is missing and the
-/// robot tips over. Assumption: the base does not accelerate, because its acceleration is not known
-/// before the QP.
+/// the body. If a stretched leg cannot produce its acceleration, this reaction is missing and the
+/// robot tips over. Assumption: the base does not accelerate, because its acceleration is unknown
+/// before the QP is solved.
 /// Real-time: yes.
-/// @param smallest_determinant legs with a smaller |det J| [m^3] are not changed
+/// @param smallest_determinant [m^3] legs with a smaller |det J| are not changed
 /// @param feet_acceleration in and out, world axes [m/s^2]
 void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limits,
                               double smallest_determinant, FeetMatrix& feet_acceleration) noexcept;
 
-/// Limit the accelerations of released legs to the joint limits that apply without widening, after
-/// the QP.
+/// Limit the accelerations of released legs, in the solution of the QP, to the joint limits without
+/// widening.
 ///
-/// If one joint reaches its limit, the other joints of the leg are recomputed, so that the foot
-/// acceleration stays as close as possible to the solution (least squares). With each joint clamped
-/// separately, the thigh of a leg with a stretched knee would swing the leg forward into the stance
-/// leg. Torques change by tau += M_leg (a_clamped - a). The reaction on the body is small and is
-/// neglected. Real-time: yes.
+/// If one joint reaches its limit, the accelerations of the leg's other joints change too, so that
+/// the foot acceleration stays as close as possible to the solution (least squares). If each joint
+/// were clamped separately, the thigh of a leg with a stretched knee would swing the leg forward
+/// into the stance leg. Torques change by tau += M_leg (a_clamped - a). The reaction on the body is
+/// small and is neglected. Real-time: yes.
 /// @param accelerations in and out, shape (nv,), Pinocchio's order
 /// @param torques in and out [N.m], SDK motors first
 void clamp_released_legs(const JointTable& joints, const Dynamics& dynamics,

@@ -9,17 +9,17 @@
 namespace surefoot {
 
 // Near the support edge, braking the body has priority over hold-down, height and tilt. edge_fade()
-// measures how near the capture point is to the edge. As it falls from 1 to 0:
+// measures how near the capture point is to the edge. As edge_fade() falls from 1 to 0:
 //   hold-down fades out (hold_down.hpp);
 //   height and tilt tasks lose weight, down to the gains edge_height and edge_tilt;
 //   the desired body acceleration is bounded, so that the feet keep load (bound_at_edge());
 //   legs with unloaded feet are released (released_legs.hpp).
-// Independent of edge_fade(), braking across the edge comes before braking along it
-// (edge_braking_axes.hpp).
+// edge_braking_axes.hpp does not depend on edge_fade(): near an edge, braking across the edge
+// always has priority over braking along it.
 
-/// Compute the edge fade, 0 .. 1: clamp(margin / edge_margin, 0, 1), where `margin` [m] is the
-/// distance of the capture point inside the support polygon. With fewer than three stance feet it
-/// is 1.
+/// Compute the edge fade, 0 .. 1: clamp(margin / edge_margin, 0, 1). Here `margin` [m] is the
+/// distance of the capture point inside the support polygon. With fewer than three stance feet the
+/// edge fade is 1.
 /// Real-time: yes.
 double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
 
@@ -29,17 +29,17 @@ double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& 
 ///   slow = clamp(1.6 (1 - v_up / edge_rise), 0, 1)
 ///
 /// Height: hard braking throws the body up. If the body then falls freely, the feet carry no load
-/// and cannot brake. So the feet keep at least edge_load. Away from the edge the bound is only a
-/// little lower, because a body that starts to fall there still falls when it reaches the edge.
-/// Tilt: braking also tilts the body. Turning the body back at once would take the force that
-/// brakes the push. So the body turns back slowly until the capture point is inside again. Feet
-/// that turn the body back also push it further up. So a body that rises fast turns back less or
-/// not at all.
+/// and cannot brake. So the bound keeps a total load of at least edge_load on the feet. Away from
+/// the edge the bound is only a little lower, because a body that starts to fall there is still
+/// falling when it reaches the edge.
+/// Tilt: braking also tilts the body. Turning the body back at once would use the force that brakes
+/// the push. So the body turns back slowly until the capture point is inside again. Feet that turn
+/// the body back also push it further up, so a body that rises fast turns back less or not at all.
 /// Real-time: yes.
-/// @param fade edge_fade(), 0 .. 1
-/// @param length [m] QpUnits::length: height of the hips above the ground in the standing pose
+/// @param fade result of edge_fade(), 0 .. 1
+/// @param length [m] QpUnits::length, the height of the hips above the ground in the standing pose
 /// @param v_up [m/s] vertical velocity of the centre of mass
-/// @param desired in and out, world axes
+/// @param desired in and out: acceleration of the body, world axes
 void bound_at_edge(const Gains& gains, double fade, double length, double v_up,
                    BodyAcceleration& desired) noexcept;
 

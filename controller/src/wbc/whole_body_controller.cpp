@@ -12,8 +12,9 @@
 namespace surefoot {
 
 namespace {
-constexpr int kMostRows = 1000;  // rows of one user task; chosen, far larger than any robot's nv
-}
+// Largest number of rows of a user task; chosen far larger than any robot's nv.
+constexpr int kMostRows = 1000;
+}  // namespace
 
 void WholeBodyOptions::validate() const {
   if (!(tolerance >= 1e-14 && tolerance <= 1e-3)) {
@@ -126,7 +127,8 @@ Reference WholeBodyController::hold(const RobotState& state) {
   return reference;
 }
 
-// The form is selected first: the terms depend on the softness of the feet.
+// The form is selected before the terms are written, because the terms depend on the softness of
+// the feet.
 const Solution& WholeBodyController::solve(const Dynamics& dynamics, const RobotState& state,
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;

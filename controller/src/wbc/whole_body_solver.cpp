@@ -9,20 +9,20 @@ namespace surefoot {
 
 namespace {
 
-// Distance from a torque limit below which a motor counts as saturated, as a share of tau_max.
-// Numerical: residuals of 5e-6 (QP units) move a torque by less than this.
+// A motor counts as saturated if its torque is closer to the limit than this share of tau_max.
+// Numerical: residuals of 5e-6 (QP units) change a torque by less than this.
 constexpr double kSaturated = 1e-3;
-// Curvature of the slacks' cost, before scaling. Chosen. Larger than 0, so that the QP is strictly
+// Curvature of the slacks' cost, before scaling. Chosen larger than 0, so that the QP is strictly
 // convex. The linear penalties (gains penalty_*) make the constraints exact.
 constexpr double kCurvature = 1.0;
-// Smallest reduced tolerance. Numerical: rounding errors allow no smaller tolerance. Test:
-// both_methods_meet_a_tolerance_of_1e_minus_12.
+// Smallest value to which the tolerance is reduced. Numerical: rounding errors allow no smaller
+// tolerance. Test: both_methods_meet_a_tolerance_of_1e_minus_12.
 constexpr double kTightest = 1e-12;
-// Factor on the tolerance for a cold solve. Chosen. Larger than 1, because the first solve has
-// failed at the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
+// A cold solve multiplies the tolerance by this factor. Chosen larger than 1, because the first
+// solve has failed at the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
 // cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
 constexpr double kRelaxed = 10.0;
-// Smallest share of trace(H) that user tasks must leave to the other tasks. Derived: with the
+// Smallest share of trace(H) that the built-in tasks must have beside user tasks. Derived: with the
 // default tolerance 1e-6, the reduced tolerance is then at least ten times kTightest.
 constexpr double kMinBuiltInShare = 1e-5;
 
@@ -116,7 +116,7 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
   penalty_.segment<QpLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
   penalty_.tail<QpLayout::kLegGroups>().setConstant(scale * gains.penalty_joint_limit);
   // The cost is scaled to trace(H) = n, so heavy user tasks make all other tasks small. The
-  // tolerance shrinks with the other tasks, so that they still count.
+  // tolerance shrinks by the same share, so that the other tasks are still solved accurately.
   const double built_in_share = condensed ? condensed_.built_in_share() : general_.built_in_share();
   if (!(built_in_share >= kMinBuiltInShare)) {
     out.status = Status::kBadTask;

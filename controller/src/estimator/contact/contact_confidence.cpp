@@ -8,42 +8,42 @@ namespace surefoot {
 
 namespace {
 
-// All values are chosen unless stated; see docs/estimation.md, Contact. Tests: test_contact.cpp,
-// benchmarks/estimation. Votes range from -1 (off the ground) to 1 (loaded).
-// Difference of two loads, as a share of the weight, below which their sources agree. Larger than
-// the noise and the model errors of the torques, smaller than 0.25, the load of a foot.
+// Votes range from -1 (off the ground) to 1 (loaded). All values are chosen unless stated; see
+// docs/estimation.md, Contact. Tests: test_contact.cpp, benchmarks/estimation.
+//
+// Two sources agree if their loads differ by less than this share of the weight. Larger than the
+// noise and the model errors of the torques, smaller than 0.25, the load of one foot.
 constexpr double kMaxLoadDifference = 0.15;
-// [s] Duration of a contradiction after which footForceEst is excluded. Equal to kDetectionTime of
-// ForceSourceCheck.
+// [s] footForceEst is excluded after it has contradicted the torques for this time. Equal to
+// kDetectionTime of ForceSourceCheck.
 constexpr double kDetectionTime = 0.3;
-// Rate at which the contradiction time falls, relative to the rate at which it rises.
+// The contradiction time falls at this rate without contradiction, and rises at rate 1 with one.
 constexpr double kRecoveryRate = 0.25;
-// [s] Time without a vote of any force source after which forces are unavailable. Longer than
-// pauses of kDetectionTime. If larger: a foot whose sensors are dead stays out of contact for
-// longer.
+// [s] Forces count as unavailable after no force source has voted for this time. Longer than pauses
+// of kDetectionTime. If larger: a foot whose sensors are dead stays out of contact for longer.
 constexpr double kNoForceTime = 0.5;
-// [m/s] Speed above which the motion of a foot votes against contact. Not smaller than twice
-// slip_speed (0.15), smaller than the speed of a swing.
+// [m/s] Speed above which the motion of a foot votes against contact. At least twice the gain
+// slip_speed (0.15), and smaller than the speed of a swing foot.
 constexpr double kMovingSpeed = 0.3;
-// [m/s] Speed below which a foot is at rest. Smaller than slip_speed (0.15).
+// [m/s] Speed below which a foot is at rest. Smaller than the gain slip_speed (0.15).
 constexpr double kRestSpeed = 0.1;
-// [m] Clearance above which the motion of a foot votes against contact; at twice this clearance the
-// vote is -1. If smaller: a loaded foot that rises on soft ground votes against contact. If larger:
-// a lift is detected late.
+// [m] Clearance above which the motion of a foot votes against contact. The vote reaches -1 at
+// twice this clearance. If smaller: a loaded foot that rises on soft ground votes against contact.
+// If larger: a lift is detected late.
 constexpr double kClearanceThreshold = 0.006;
-// Size of the vote of a fast foot against contact: weak, because a loaded foot may slide.
+// Size of the vote of a fast foot against contact. Weak, because a loaded foot may slide.
 constexpr double kSlideVote = 0.33;
-// Weight of the motion of a foot. A rising foot is off the ground, whatever force it carries: the
-// weight is above that of one source (1) and not above that of two.
+// Weight of the motion of a foot. A rising foot is off the ground, whatever force its sensors show.
+// So the weight is larger than that of one other source (1), but not larger than that of two.
 constexpr double kMotionWeight = 2.0;
-// Weight of torques that match the accelerometer. Above 1, so that a tie of two sources becomes a
-// mean vote of 0.06: the confidence then changes slowly.
+// Weight of torques that match the accelerometer. Above 1: if two sources contradict each other,
+// the mean vote is then 0.06 instead of 0, and the confidence changes slowly.
 constexpr double kBalancedWeight = 1.12;
 constexpr double kConfirmingVote = 0.5;  // size above which a vote confirms footForceEst
-// Mean vote above which the confidence changes: below 0.06, the mean vote of a tie (see above).
+// Size of the mean vote above which the confidence changes. Below 0.06, see kBalancedWeight.
 constexpr double kMinAgreement = 0.04;
-// Speed of the confidence per mean vote. Derived: full speed when two of three sources agree, which
-// is a mean vote of 1/3.
+// Rate of the confidence per mean vote, in units of 1 / contact_dwell. Derived: the rate reaches 1
+// if two of three sources agree, because the mean vote is then 1/3.
 constexpr double kAgreementGain = 3.0;
 
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
@@ -51,16 +51,16 @@ constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
 constexpr int kFootMotion = static_cast<int>(ContactSource::kFootMotion);
 
-// Return the evidence of the motion of a foot: only votes against contact. A foot at rest is no
-// evidence of contact, because a foot may be at rest in the air.
+// Return the evidence from the motion of a foot, which can only vote against contact. A foot at
+// rest is no evidence of contact, because a foot can be at rest in the air.
 ContactEvidence motion_evidence(double speed, double clearance) noexcept {
   const double risen = std::clamp(clearance / kClearanceThreshold - 1.0, 0.0, 1.0);
   return {-std::max(speed > kMovingSpeed ? kSlideVote : 0.0, risen), SensorVerdict::kGood};
 }
 
-// Return whether footForceEst and footForce of a foot count as one source: both are constant and
-// show no load, while the torques show load. Both fields then have one common cause: they failed
-// together, or the foot is in the air and its leg presses against something.
+// Return whether footForceEst and footForce of a foot count as one source. They do if both are
+// constant and show no load while the torques show load. Then both have one common cause: either
+// they failed together, or the foot is in the air and its leg presses against something.
 bool fields_fail_together(const ContactEvidence& est, bool est_unchanged,
                           const ContactEvidence& count, bool count_unchanged,
                           const ContactEvidence& tau) noexcept {
@@ -89,8 +89,8 @@ void ContactConfidence::update(const Gains& gains, const ContactSignals& all, do
     foot.evidence[kFootMotion] = motion_evidence(signals.speed[leg], signals.clearance[leg]);
     const ContactEvidence& est = foot.evidence[kEst] =
         foot_force_est_evidence(gains, signals, leg, dt);
-    // Torques calibrate footForce; without torques, footForceEst calibrates it. While torques and
-    // footForceEst contradict each other, the calibration pauses.
+    // The torques calibrate footForce. Without torques, footForceEst calibrates it. The calibration
+    // pauses while torques and footForceEst contradict each other.
     const bool newtons = est.verdict == SensorVerdict::kGood;
     const double est_load = signals.foot_force_est[leg] / weight_;
     const double known_load = newtons && !torques ? est_load : load;
@@ -111,8 +111,8 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
   const double load = signals.foot_force_est[leg] / weight_;
   SensorVerdict verdict = foot.est_stuck.update(signals.foot_force_est[leg], tau_load, dt);
   // An external lift of a foot loads the leg as the ground does. So torques alone do not refute
-  // footForceEst if footForce or a rise of the foot confirms it.
-  // `far`, chosen: for large loads the limit is half of the load, because torques have scale
+  // footForceEst if footForce or the clearance of the foot confirms it.
+  // `far`: the limit for large loads is half of the load (chosen), because torques have scale
   // errors. `opposite`: footForceEst shows a clear load (twice the threshold), but the torques show
   // a pull.
   const bool far =
@@ -162,7 +162,7 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
     if (std::abs(agreement) > kMinAgreement)
       rate = std::clamp(kAgreementGain * agreement, -1.0, 1.0);
   } else if (!force_available && signals.speed[leg] < kRestSpeed) {
-    rate = 0.5;  // the foot is at rest, and no source votes: assume contact, but slowly
+    rate = 0.5;  // the foot is at rest and no source votes: assume contact, at half the usual rate
   }
   const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
   confidence_[leg] = std::clamp(confidence_[leg] + rate * step, 0.0, 1.0);

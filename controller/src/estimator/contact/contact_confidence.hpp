@@ -6,25 +6,27 @@
 
 namespace surefoot {
 
-/// Measurements of one tick that show the contact of the feet.
+/// Measurements of one tick that tell whether the feet are in contact.
 struct ContactSignals {
-  Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();  ///< load / weight, from joint torques
-  SensorVerdict tau_est = SensorVerdict::kGood;           ///< verdict on the joint torques
-  std::array<std::int16_t, kLegs> foot_force_est{};       ///< [N]
-  std::array<std::int16_t, kLegs> foot_force{};           ///< [counts]
-  Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] SlipDetector::excess_speed()
-  Eigen::Vector4d clearance = Eigen::Vector4d::Zero();    ///< [m] see FootClearance
-  /// Vertical specific force / g. For a robot on its feet it equals the sum of all loads / weight.
+  /// Load / weight of each foot, from joint torques.
+  Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();
+  SensorVerdict tau_est = SensorVerdict::kGood;         ///< verdict on the joint torques
+  std::array<std::int16_t, kLegs> foot_force_est{};     ///< [N]
+  std::array<std::int16_t, kLegs> foot_force{};         ///< [counts]
+  Eigen::Vector4d speed = Eigen::Vector4d::Zero();      ///< [m/s] SlipDetector::excess_speed()
+  Eigen::Vector4d clearance = Eigen::Vector4d::Zero();  ///< [m] see FootClearance
+  /// Vertical specific force / g. For a robot on its feet it equals the sum of all loads, divided
+  /// by the weight.
   double load_factor = 1.0;
 };
 
 /// Contact confidence of each foot, fused from all working contact sources.
 ///
 /// Each source votes from -1 (off the ground) to 1 (loaded). The confidence integrates the weighted
-/// mean vote. When all sources agree, the confidence moves from 0 to 1 within the gain
-/// contact_dwell. So a single wrong sample changes the confidence by one step only, and two sources
-/// that contradict each other leave it unchanged. While the sum of the torque loads matches the
-/// accelerometer, torques have a slightly larger weight, which decides ties slowly. Real-time: yes.
+/// mean vote. If all sources agree, it moves from 0 to 1 within the gain contact_dwell. So a single
+/// wrong sample changes the confidence by one step only, and two sources that contradict each other
+/// leave it unchanged. Torques get a slightly larger weight while the sum of their loads matches
+/// the accelerometer. This weight decides ties slowly. Real-time: yes.
 class ContactConfidence {
  public:
   /// @param weight weight of the robot [N]
@@ -34,11 +36,11 @@ class ContactConfidence {
   void update(const Gains& gains, const ContactSignals& signals, double dt) noexcept;
 
   const Eigen::Vector4d& confidence() const noexcept { return confidence_; }
-  /// True for each foot that the force sources alone show as loaded, or that no force source
-  /// measures.
+  /// True for each foot that is loaded according to the force sources alone, and for each foot
+  /// whose force no source measures.
   const std::array<bool, kLegs>& loaded_by_forces() const noexcept { return loaded_by_forces_; }
   bool foot_force_est_works() const noexcept { return force_check_.foot_force_est_works(); }
-  /// Write verdicts and votes to a report.
+  /// Write the verdicts and votes of all sources to a report.
   void write(EstimatorReport& report) const noexcept;
 
   void reset() noexcept { *this = ContactConfidence(weight_); }
@@ -48,11 +50,11 @@ class ContactConfidence {
     std::array<ContactEvidence, kContactSources> evidence{};
     StuckDetector est_stuck;
     FootForceCalibration calibration;
-    // [s] Rises while footForceEst and torques contradict each other, falls otherwise.
+    // [s] Rises while footForceEst contradicts the torques, and falls otherwise.
     double contradiction_time = 0.0;
-    bool loaded = true;
+    bool loaded = true;  // contact state that selects the threshold (hysteresis)
     double no_force_time =
-        std::numeric_limits<double>::infinity();  // [s] since the last force vote
+        std::numeric_limits<double>::infinity();  // [s] time since the last force vote
   };
   ContactEvidence foot_force_est_evidence(const Gains& gains, const ContactSignals& signals,
                                           int leg, double dt) noexcept;

@@ -6,34 +6,37 @@
 
 namespace surefoot {
 
-/// Evidence of one contact source for one foot.
+/// Evidence for or against contact, from one contact source for one foot.
 struct ContactEvidence {
-  double vote = 0.0;  ///< -1 off the ground .. 1 loaded; 0: no evidence
+  double vote = 0.0;  ///< -1: off the ground, 1: loaded, 0: no evidence
   SensorVerdict verdict = SensorVerdict::kUnjudged;
 };
 
 /// Convert a load to a vote, -1 .. 1: tanh((load - threshold) / max(width, load_sigma)). Threshold
-/// and width are gains (contact_force_*). Real-time: yes.
+/// and width are the gains contact_force_*. Real-time: yes.
 /// @param load normal force of the foot, as a share of the robot's weight
 /// @param load_sigma standard deviation of `load`
-/// @param loaded present contact state, selects contact_force_off or contact_force_on (hysteresis)
+/// @param loaded present contact state; it selects the threshold contact_force_off (true) or
+///   contact_force_on (false), for hysteresis
 double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept;
 
 /// Detects an integer sensor that is zero, stuck, or at the end of its range.
 ///
 /// A constant value is a fault only if another source has shown a load change of more than 10 % of
-/// the weight in the same time. Real-time: yes.
+/// the weight in the meantime. Real-time: yes.
 class StuckDetector {
  public:
   /// Process one sample and return the verdict.
-  /// @param load load from another source, as a share of the weight; NaN: no other source
+  /// @param load load from another source, as a share of the weight; NaN if there is no other
+  ///   source
   SensorVerdict update(int value, double load, double dt) noexcept;
-  /// Return whether the value has been constant for longer than a working sensor's noise allows.
+  /// Return whether the value has been constant for longer than the noise of a working sensor
+  /// allows.
   bool is_unchanged() const noexcept { return unchanged_time_ > kMinUnchangedTime; }
 
  private:
-  // [s] See is_unchanged(). Chosen: two repeated samples at 500 Hz; noise changes a working
-  // sensor's count more often.
+  // [s] Time limit of is_unchanged(). Chosen: two repeated samples at 500 Hz. Noise changes the
+  // count of a working sensor more often.
   static constexpr double kMinUnchangedTime = 0.003;
   int last_ = 0;
   bool started_ = false, ever_nonzero_ = false;

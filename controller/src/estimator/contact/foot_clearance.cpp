@@ -8,24 +8,24 @@ namespace surefoot {
 namespace {
 // All values are chosen. Test: test_contact.cpp.
 // [m/s] Speed below which a foot is at rest. Larger than the velocity noise of the joints, smaller
-// than the speed of a foot that is lifted.
+// than the speed of a lifted foot.
 constexpr double kRestSpeed = 0.03;
-// Rate at which the rest time falls during motion, relative to the rate at which it rises at rest.
-// If smaller: 50 ms of motion do not clear 1 s. If larger: one noisy sample clears it.
+// Rate at which the rest time falls during motion; at rest it rises at rate 1. If smaller: 50 ms of
+// motion do not clear a rest time of 1 s. If larger: one noisy sample clears it.
 constexpr double kRestTimeDecay = 20.0;
-// [s] Time without load after which a foot loses its stance height. Longer than wrong samples
-// (contact_dwell, 10 ms), shorter than a step.
+// [s] A foot loses its stance height after it has been unloaded for this time. Longer than a few
+// wrong samples (contact_dwell, 10 ms), shorter than a step.
 constexpr double kMinSwingTime = 0.03;
-// [s] Time for which three feet must be loaded before they form a plane. If smaller: feet that
+// [s] Three feet must be loaded for this time before they form a plane. If smaller: feet that
 // bounce at touchdown form a plane. If larger: the vote is delayed more.
 constexpr double kLandingTime = 0.05;
-// [s] Rest time after which the stance height follows the foot. If smaller: the height follows a
-// foot that a person holds. If larger: drift of the height remains for longer.
+// [s] The stance height follows a foot that has been at rest for this time. If smaller: the height
+// follows a foot that a person holds. If larger: drift of the height remains for longer.
 constexpr double kNewStanceTime = 1.0;
-// [s] Time constant with which the stance height then follows. If smaller: the height follows
+// [s] Time constant with which the stance height follows the foot. If smaller: the height follows
 // vibration. Shorter than kNewStanceTime.
 constexpr double kFollowTime = 0.2;
-// Contact confidence above which a foot counts as standing: more likely than not.
+// Contact confidence above which a foot stands. Derived: contact is more likely than not.
 constexpr double kStanceConfidence = 0.5;
 }  // namespace
 
@@ -33,21 +33,21 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
                            const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
                            const std::array<bool, kLegs>& loaded, const Vector3& normal,
                            double dt) noexcept {
-  // The height estimate of a falling robot drifts while its feet touch down one after the other. So
-  // the stance heights follow the loaded feet until three loaded feet form a plane.
+  // The estimated height of a falling robot drifts while its feet touch down one after the other.
+  // So the stance heights follow the loaded feet until three loaded feet form a plane.
   const bool plane = std::count(loaded.begin(), loaded.end(), true) >= 3;
   plane_time_ = plane ? plane_time_ + dt : 0.0;
   const bool landing = plane_time_ < kLandingTime;
   Eigen::Vector4d height_change;
   for (int leg = 0; leg < kLegs; ++leg) {
-    // The dynamics have the base at the origin, and filter.p() is the IMU point. The height of the
+    // The dynamics place the base at the origin, but filter.p() is the IMU point. The height of the
     // IMU point above the base is taken as constant, because only height differences are used.
     const double height = normal.dot(dynamics.legs()[leg].p_world_contact) + normal.dot(filter.p());
-    // An unloaded foot loses its stance height and gets a new one when the foot is next loaded.
+    // A foot without load loses its stance height. It gets a new one when it is loaded again.
     unloaded_time_[leg] = loaded[leg] ? 0.0 : unloaded_time_[leg] + dt;
     if (unloaded_time_[leg] > kMinSwingTime) stance_height_[leg] = NAN;
     if ((landing || std::isnan(stance_height_[leg])) && loaded[leg]) stance_height_[leg] = height;
-    // The bound of the rest time is chosen so that 25 ms of motion bring the rest time below
+    // The upper bound of the rest time is chosen so that 25 ms of motion bring the rest time below
     // kNewStanceTime (0.5 kNewStanceTime / kRestTimeDecay).
     const bool rests = v_contact.col(leg).norm() < kRestSpeed && loaded[leg];
     rest_time_[leg] = std::clamp(rest_time_[leg] + (rests ? dt : -kRestTimeDecay * dt), 0.0,
@@ -56,10 +56,10 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
       stance_height_[leg] += dt / (dt + kFollowTime) * (height - stance_height_[leg]);
     height_change[leg] = std::isnan(stance_height_[leg]) ? 0.0 : height - stance_height_[leg];
   }
-  // Clearance is the height above the plane of the three other feet, where errors of base tilt and
-  // height cancel. A rise of the diagonal foot lowers this plane below the present foot by the same
-  // amount, and would look like a rise of this foot. So the plane is not taken below the mean
-  // height change of the three feet.
+  // The clearance is the height above the plane of the three other feet, where errors of base tilt
+  // and height cancel. But if the diagonal foot rises, this plane falls by the same amount at the
+  // present foot, which would look like a rise of the present foot. So the plane is taken no lower
+  // than the mean height change of the three feet.
   for (int leg = 0; leg < kLegs; ++leg) {
     const int lateral = lateral_neighbor(leg), longitudinal = longitudinal_neighbor(leg),
               opposite = diagonal_leg(leg);
@@ -68,7 +68,7 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
     const double plane_height =
         height_change[lateral] + height_change[longitudinal] - height_change[opposite];
     const double mean = (height_change.sum() - height_change[leg]) / 3.0;
-    // The last clearance is kept while one of the three other feet does not stand.
+    // The last clearance is kept while any of the three other feet does not stand.
     if (landing || std::isnan(stance_height_[leg])) {
       clearance_[leg] = 0.0;
     } else if (others_stand) {

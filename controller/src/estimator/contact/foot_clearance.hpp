@@ -6,25 +6,26 @@
 
 namespace surefoot {
 
-/// Foot clearance: height of each foot above the place where it last stood, along the ground
-/// normal.
+/// Foot clearance: height of each foot above the place where it last stood, measured along the
+/// ground normal.
 ///
-/// The height is relative to the plane of the three other feet, so that small errors of base tilt
-/// and height cancel. While one of these three feet does not stand, the last value is kept.
+/// The height is measured relative to the plane of the three other feet, so that small errors of
+/// base tilt and height cancel. While one of these three feet does not stand, the last value is
+/// kept.
 ///
-/// The stance height of a foot is discarded after 30 ms without load and set again when the foot is
-/// next loaded. Until three feet have been loaded for 50 ms, the stance heights follow the loaded
-/// feet. So neither a step onto a stone nor a landing counts as a rise. After 1 s at rest, the
-/// stance height of a loaded foot follows its height; flat ground is not assumed.
+/// The stance height of a foot is discarded after 30 ms without load, and set again when the foot
+/// is loaded again. Until three feet have been loaded for 50 ms, the stance heights follow the
+/// loaded feet. So neither a step onto a stone nor a landing counts as a rise. After 1 s at rest,
+/// the stance height of a loaded foot follows the foot; flat ground is not assumed.
 ///
-/// A loaded foot may slide, but does not rise. So a foot with more clearance than soft ground
-/// yields is off the ground. Real-time: yes.
+/// A loaded foot may slide, but it does not rise. So a foot is off the ground if its clearance
+/// exceeds what soft ground can yield. Real-time: yes.
 class FootClearance {
  public:
   /// Process one tick.
   /// @param v_contact velocities of the contact points, world axes [m/s]
   /// @param contact contact confidence per foot, 0 .. 1
-  /// @param loaded true for each foot that its force sources show as loaded
+  /// @param loaded true for each foot that is loaded according to its force sources
   /// @param normal ground normal, unit length, world axes
   void update(const Dynamics& dynamics, const InvariantFilter& filter, const FeetMatrix& v_contact,
               const Eigen::Vector4d& contact, const std::array<bool, kLegs>& loaded,

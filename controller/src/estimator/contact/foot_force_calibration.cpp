@@ -8,33 +8,34 @@ namespace surefoot {
 
 namespace {
 // Fit of counts = offset + scale load. All values are chosen. Test: test_contact.cpp.
-// [s] Time constant of the low-pass, so that noise does not count as a load change. Longer than
+//
+// [s] Time constant of the low-pass, which keeps noise from counting as a load change. Longer than
 // single samples, shorter than a step.
 constexpr double kFilterTime = 0.02;
-// [s] Time constant of the offset. Longer than load changes, shorter than a minute, within which
-// the counts drift.
+// [s] Time constant of the offset. Longer than load changes. Shorter than a minute, because the
+// counts drift within a minute.
 constexpr double kOffsetTime = 5.0;
 constexpr double kNoiseSamples = 500.0;  // number of samples in the noise average: 1 s at 500 Hz
-// [s] Time constant of the scale; only time with changing load counts. If smaller: the fit is
+// [s] Time constant of the scale, counted only while the load changes. If smaller: the fit is
 // noisy. If larger: the scale follows drift too late.
 constexpr double kScaleTime = 2.0;
 // Load change, as a share of the weight, below which the scale is not updated. Larger than the
 // noise of the torques, smaller than contact_force_off, 0.06.
 constexpr double kMinLoadChange = 0.04;
-// [s] Time with changing load after which the fit is used: five times kFilterTime.
+// [s] Total time of changing load after which the fit is used: five times kFilterTime.
 constexpr double kMinFitTime = 0.1;
-// Coefficient of determination r^2 above which the fit is good, and below which the counts do not
-// follow the load. Between the two the verdict is kUnjudged.
+// Coefficients of determination r^2. Above kMinExplained the fit is good. Below kMaxUncorrelated
+// the counts do not follow the load. Between these values the verdict is kUnjudged.
 constexpr double kMinExplained = 0.5;
 constexpr double kMaxUncorrelated = 0.2;
-// [s] Time constant with which the range shrinks: twice kOffsetTime.
+// [s] Time constant with which the observed range shrinks: twice kOffsetTime.
 constexpr double kRangeTime = 10.0;
-// Smallest range that gives a load: in standard deviations of the noise (4 to either side), and in
-// counts (quantisation).
+// Smallest range from which a load is computed: in standard deviations of the noise (4 to either
+// side), and in counts (quantisation).
 constexpr double kRangeNoise = 8.0;
 constexpr double kMinRange = 5.0;
-// Load assumed at the top of the range, as a share of the weight: between a foot of four stance
-// feet (0.25) and a foot that stands only with its diagonal foot (0.5).
+// Load that is assumed at the top of the range, as a share of the weight. Between 0.25, the load of
+// one of four stance feet, and 0.5, the load of one of two diagonal stance feet.
 constexpr double kLoadAtMaxCount = 0.4;
 }  // namespace
 
@@ -101,14 +102,15 @@ SensorVerdict FootForceCalibration::fit_verdict() const noexcept {
   const double explained = covariance_ * covariance_ / (spread_load_ * spread_count_ + 1e-12);
   if (scale_ > 0.0 && explained > kMinExplained) return SensorVerdict::kGood;
   if (explained > kMaxUncorrelated && scale_ > 0.0) return SensorVerdict::kUnjudged;
-  // Constant: counts change by less than two standard deviations of their noise (1 count at least).
+  // Constant: the counts change by less than two standard deviations of their noise, which is taken
+  // as at least 1 count.
   return spread_count_ < 4.0 * fit_time_ * (noise_ + 1.0) ? SensorVerdict::kConstant
                                                           : SensorVerdict::kDisagrees;
 }
 
-// Return the load, as a share of the weight, from the position of a count in the observed range;
-// NaN while the range is too small. Both ends of the range move slowly towards the present count,
-// so that drift cannot widen the range for ever.
+// Return the load, as a share of the weight, from the position of a count in the observed range.
+// Return NaN while the range is too small. Both ends of the range move slowly towards the present
+// count, so that drift cannot widen the range for ever.
 double FootForceCalibration::load_by_range(double count, double dt) noexcept {
   const double blend = dt / (dt + kRangeTime);
   min_count_ = std::min(count, min_count_ + blend * (count - min_count_));

@@ -5,21 +5,22 @@
 
 namespace surefoot {
 
-/// Sums of the loads over all feet, as shares of the weight.
+/// Sums of the loads of all feet, as shares of the weight.
 struct ForceSums {
-  double est = 0.0;          ///< sum of footForceEst
-  double torque = 0.0;       ///< sum of the normal forces computed from the joint torques
-  double load_factor = 1.0;  ///< vertical specific force / g: expected sum for a robot on its feet
-  bool torques = true;       ///< true if torques are available
+  double est = 0.0;     ///< sum of footForceEst
+  double torque = 0.0;  ///< sum of the normal forces computed from the joint torques
+  /// Vertical specific force / g; the expected sum for a robot on its feet.
+  double load_factor = 1.0;
+  bool torques = true;  ///< true if torques are available
 };
 
 /// Compares the load sums of footForceEst and of the torques with each other and with the
 /// accelerometer.
 ///
-/// footForceEst works once it has shown a load on the feet that the torques confirm; without
-/// torques, a plausible share of the weight is enough. Torques are wrong if footForceEst matches
-/// the load that the accelerometer implies and the torques do not. In the air all sums are zero, so
-/// no verdict changes. Real-time: yes.
+/// footForceEst works once it has shown a load on the feet that the torques confirm. Without
+/// torques, a plausible share of the weight is enough. The torques are wrong if footForceEst
+/// matches the load that the accelerometer implies, but the torques do not. In the air all sums are
+/// zero, so no verdict changes. Real-time: yes.
 class ForceSourceCheck {
  public:
   /// Process one tick.
@@ -32,8 +33,9 @@ class ForceSourceCheck {
 
  private:
   bool foot_force_est_alive_ = false, torques_wrong_ = false, torques_balance_ = false;
-  double est_contradiction_time_ = 0.0;  // [s] sums against foot_force_est_alive_
-  double torque_error_time_ = 0.0;       // [s] rises while the torques are wrong, falls otherwise
+  // [s] Time for which the sums have contradicted foot_force_est_alive_.
+  double est_contradiction_time_ = 0.0;
+  double torque_error_time_ = 0.0;  // [s] rises while the torques are wrong, falls otherwise
 };
 
 }  // namespace surefoot

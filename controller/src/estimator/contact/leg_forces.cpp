@@ -6,11 +6,11 @@
 namespace surefoot {
 
 namespace {
-// [N] Force above which a result is ignored, because the leg is singular. Chosen. Far larger than
-// any robot's weight.
+// [N] A larger force is ignored, because the leg must be singular. Chosen far larger than any
+// robot's weight.
 constexpr double kMaxForce = 1e4;
-// [rad] Distance to a stop below which a joint may rest on this stop. Chosen. Larger than the
-// elastic deflection of a stop. If larger: standing poses near a limit are included, and the force
+// [rad] Distance to a stop below which a joint may rest on the stop. Chosen larger than the elastic
+// deflection of a stop. If larger: it includes standing poses near a limit, and their contact force
 // is then unknown.
 constexpr double kStopMargin = 0.03;
 }  // namespace
@@ -36,7 +36,7 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     residual += blend * (unfiltered - residual);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
-    Vector3 tau_contact = L.M_leg * ddq - residual;  // J^T f plus the torques of the stops
+    Vector3 tau_contact = L.M_leg * ddq - residual;  // equals J^T f plus the torques of the stops
     tau_contact =
         (stops.segment<3>(3 * leg).array() * tau_contact.array() < 0.0).select(0.0, tau_contact);
     const Vector3 force = L.J_leg.transpose().inverse() * tau_contact;

@@ -5,27 +5,27 @@
 
 namespace surefoot {
 
-/// Return for each joint the stop on which it may rest: 1 upper, -1 lower, 0 none. SDK motor order.
+/// Return for each joint on which stop it may rest: 1 upper, -1 lower, 0 none. SDK motor order.
 /// @param q joint angles, SDK motor order [rad]
 Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 
-/// Contact force on each foot from the joint torques of its leg.
+/// Contact force on each foot, computed from the joint torques of its leg.
 ///
-/// Solves the leg's rows of the equations of motion for the force:
+/// The class solves the leg's rows of the equations of motion for the force f:
 ///   f = -J^-T (tau - h - M_bl^T a_b - M_l ddq), with M_bl = LegDynamics::M_base_leg.
-/// A first-order filter replaces ddq by a difference of velocities. This is the
-/// generalised-momentum observer (De Luca, Mattone 2003) for a leg whose base acceleration the IMU
-/// measures. The observer needs no joint accelerations, and its forces lag by kFilterTime.
+/// A first-order filter replaces ddq by a difference of velocities. The result is the
+/// generalised-momentum observer (De Luca, Mattone 2003) for a leg whose base acceleration is
+/// measured by the IMU. It needs no joint accelerations, and its forces lag by kFilterTime.
 ///
-/// Torque that a joint may exert against its own stop is not attributed to the ground. Otherwise
-/// the legs of a lifted robot, which their weight extends to the stops, could stay in false
-/// contact: the controller would press a presumed stance leg onto its stops, and this torque would
-/// look like contact force. Real-time: yes.
+/// Torque that a joint may exert against its own stop is not attributed to the ground. Otherwise a
+/// lifted robot could stay in false contact: the weight of its legs extends them to the stops, the
+/// controller presses a supposed stance leg onto its stops, and this torque looks like a contact
+/// force. Real-time: yes.
 class LegForces {
  public:
-  /// [s] Time constant of the momentum observer (De Luca, Mattone 2003). Chosen. If smaller:
-  /// encoder noise in the momentum passes. Shorter than contact_dwell, 10 ms.
-  /// surefoot/tune/design/loop_model.py repeats it.
+  /// [s] Time constant of the momentum observer. Chosen. If smaller: the forces contain the encoder
+  /// noise. Shorter than contact_dwell, 10 ms. surefoot/tune/design/loop_model.py has a copy of the
+  /// value.
   static constexpr double kFilterTime = 0.005;
 
   /// Process one tick.
@@ -39,7 +39,7 @@ class LegForces {
               const Vector12& tau_est, const Vector12& dq, const Vector12& stops,
               double dt) noexcept;
 
-  /// Forces of the ground on the feet, world axes [N], FR FL RR RL.
+  /// Forces of the ground on the feet [N], FR FL RR RL, world axes.
   const FeetMatrix& forces() const noexcept { return forces_; }
 
   void reset() noexcept { *this = LegForces(); }

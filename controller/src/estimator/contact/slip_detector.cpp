@@ -8,21 +8,20 @@ namespace surefoot {
 
 namespace {
 // All values are chosen; see docs/estimation.md, Slip. Test: test_contact.cpp.
-// [s] Time constant of the low-pass of the velocities. If smaller: encoder noise passes. Shorter
-// than kDetectionTime.
+// [s] Time constant of the low-pass of the velocities. If smaller: the velocities contain the
+// encoder noise. Shorter than kDetectionTime.
 constexpr double kFilterTime = 0.01;
-// [s] Time after touchdown in which a moving foot does not count as slipping. Longer than
-// contact_dwell, 10 ms. If larger: the robot relies for longer on the friction of a foot that
-// slips.
+// [s] Time after touchdown for which a moving foot does not count as slipping. Longer than
+// contact_dwell, 10 ms. If larger: the robot relies for longer on the friction of a slipping foot.
 constexpr double kSettlingTime = 0.03;
-// [s] Duration of slipping in which slip() rises from 0 to 1. Longer than single samples. If
-// larger: a foot slips further; at slip_speed it moves by 3 mm in this time.
+// [s] Duration of slipping that raises slip() from 0 to 1. Longer than single samples. If larger: a
+// foot slips further; at slip_speed it moves by 3 mm in this time.
 constexpr double kDetectionTime = 0.02;
-// [s] Duration without slipping in which slip() falls from 1 to 0. If smaller: the friction returns
-// within the same push, and the foot slips again. If larger: the friction is missing when the robot
-// needs it for the next push.
+// [s] Duration without slipping that lowers slip() from 1 to 0. If smaller: the friction returns
+// within the same push, and the foot slips again. If larger: the friction is still reduced when the
+// robot needs it for the next push.
 constexpr double kRecoveryTime = 0.5;
-// Contact confidence above which a foot counts as loaded: more likely than not.
+// Contact confidence above which a foot counts as loaded. Derived: contact is more likely than not.
 constexpr double kLoadedConfidence = 0.5;
 }  // namespace
 
@@ -30,7 +29,7 @@ void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
                           const Eigen::Vector4d& contact, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const bool loaded = contact[leg] > kLoadedConfidence;
-    // The velocity of a swing must not count as slip, so the low-pass restarts at touchdown.
+    // The low-pass restarts at touchdown, because the velocity of the swing must not count as slip.
     if (loaded && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v_contact.col(leg);
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
     stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;

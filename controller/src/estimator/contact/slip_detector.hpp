@@ -8,8 +8,8 @@ namespace surefoot {
 
 /// Detects loaded feet that move along the ground.
 ///
-/// The detector uses the speed of each foot minus the speed of the slowest loaded foot, because a
-/// common speed of all feet is an error of the base velocity. Real-time: yes.
+/// The detector compares the speed of each foot with that of the slowest loaded foot, because a
+/// speed that all feet have in common is an error of the base velocity. Real-time: yes.
 class SlipDetector {
  public:
   /// Process one tick.
@@ -24,8 +24,8 @@ class SlipDetector {
   const Eigen::Vector4d& speed() const noexcept { return speed_; }
   /// Velocities of the contact points, low-pass filtered, world axes [m/s].
   const FeetMatrix& velocity() const noexcept { return v_filtered_; }
-  /// Speed of each foot minus the speed of the slowest loaded foot [m/s], at least 0; 0 while no
-  /// foot is loaded.
+  /// Speed of each foot minus the speed of the slowest loaded foot [m/s], at least 0. It is 0 while
+  /// no foot is loaded.
   const Eigen::Vector4d& excess_speed() const noexcept { return excess_speed_; }
   /// Compute the share of the friction coefficient that each foot may use, 0 .. 1.
   Eigen::Vector4d friction(const Gains& gains) const noexcept {
@@ -38,7 +38,7 @@ class SlipDetector {
   FeetMatrix v_filtered_ = FeetMatrix::Zero();
   Eigen::Vector4d speed_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d excess_speed_ = Eigen::Vector4d::Zero();
-  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();  // [s] since touchdown
+  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();  // [s] time since touchdown
   Eigen::Vector4d slip_ = Eigen::Vector4d::Zero();
 };
 

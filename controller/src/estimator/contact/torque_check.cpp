@@ -4,12 +4,12 @@
 namespace surefoot {
 
 namespace {
-// [s] Duration of a constant tauEst, while other fields change, above which its verdict is
-// kConstant. Chosen. Equal to kStuckTime in contact_evidence.cpp.
+// [s] The verdict is kConstant if tauEst is constant for longer than this while other fields
+// change. Chosen equal to kStuckTime in contact_evidence.cpp.
 constexpr double kStuckTime = 0.1;
 }  // namespace
 
-// If all twelve torques are exactly zero, the robot does not fill the field tauEst.
+// If all twelve torques are exactly zero, the robot does not fill the field tauEst: verdict kZero.
 void TorqueCheck::update(const Vector12& tau_est, bool others_changed, double dt) noexcept {
   const bool unchanged = tau_est == last_tau_;
   unchanged_time_ = unchanged ? unchanged_time_ + (others_changed ? dt : 0.0) : 0.0;

@@ -10,14 +10,15 @@ namespace surefoot {
 class TorqueCheck {
  public:
   /// Process one sample.
-  /// @param others_changed true if other fields differ from the last sample
+  /// @param others_changed true if other fields of the sample differ from the last sample
   void update(const Vector12& tau_est, bool others_changed, double dt) noexcept;
   SensorVerdict verdict() const noexcept { return verdict_; }
   void reset() noexcept { *this = TorqueCheck(); }
 
  private:
   Vector12 last_tau_ = Vector12::Constant(NAN);
-  double unchanged_time_ = 0.0;  // [s] time with constant torques while other fields changed
+  // [s] Time for which the torques have been constant while other fields changed.
+  double unchanged_time_ = 0.0;
   SensorVerdict verdict_ = SensorVerdict::kGood;
 };
 

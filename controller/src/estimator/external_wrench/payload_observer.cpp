@@ -7,11 +7,11 @@ namespace surefoot {
 
 namespace {
 
-// [m/s] Speed of the centre of mass below which the robot is at rest. Chosen. Larger than the
-// velocity noise of a standing robot, smaller than the velocity after a push.
+// [m/s] Speed of the centre of mass below which the robot is at rest. Chosen larger than the
+// velocity noise of a standing robot, and smaller than the velocity after a push.
 constexpr double kRestSpeed = 0.1;
-// [m] Lever that bounds the moment: largest moment = this lever times the largest force. Chosen: a
-// payload within 0.1 m of the centre of mass (docs/estimation.md, payload_max).
+// [m] Largest moment of the estimate, divided by its largest force. Chosen: a payload within 0.1 m
+// of the centre of mass (docs/estimation.md, payload_max).
 constexpr double kMaxLever = 0.1;
 
 Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
@@ -37,7 +37,7 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   const Vector3 weight = -mass_ * kGravity * Vector3::UnitZ();
   const double max_force = gains.payload_max * mass_ * kGravity;
   if (!started_) {
-    // If the robot is at rest at the start, the static equilibrium determines the wrench at once.
+    // If the robot is at rest at the start, the wrench follows from static equilibrium at once.
     if (dynamics.v_world_com().norm() < kRestSpeed) {
       force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
       moment_ = limit_norm(-moment, kMaxLever * max_force);
@@ -53,18 +53,19 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   freeze_estimate(gains, linear, angular);
 }
 
-// Set the integrated momentum to the value that gives the present wrench at the present momentum.
-// This prevents wind-up at the bounds, and a transient after phases without support.
+// Set the integrated momentum to the value for which the estimate, at the present momentum, is the
+// present wrench. This prevents wind-up at the bounds, and a transient after a time without
+// support.
 void PayloadObserver::freeze_estimate(const Gains& gains, const Vector3& linear,
                                       const Vector3& angular) noexcept {
   linear_momentum_ = linear - gains.payload_time * force_;
   angular_momentum_ = angular - gains.payload_time * moment_;
 }
 
-// A payload m_p at r from the model's centre of mass has the moment N = r x (-m_p g z) and shifts
-// the centre of mass by m_p r / (m + m_p).
+// A payload of mass m_p at r from the model's centre of mass causes the moment N = r x (-m_p g z).
+// It shifts the centre of mass by m_p r / (m + m_p).
 Vector3 PayloadObserver::com_shift() const noexcept {
-  // Numerical: an external lift makes the payload as negative as -mass_.
+  // Numerical: under an external lift the estimated payload can be as negative as -mass_.
   const double total = std::max(mass_ + mass(), 0.1 * mass_);
   return Vector3(moment_.y(), -moment_.x(), 0.0) / (kGravity * total);
 }

@@ -6,32 +6,36 @@
 
 namespace surefoot {
 
-/// Observer of the sustained external wrench: a payload, a mass error of the model, a steady lean.
+/// Observer of the sustained external wrench: of a payload, a mass error of the model or a steady
+/// lean.
 ///
-/// Contact forces f at p, gravity and the external wrench (F, N) change the centroidal momentum:
+/// Contact forces f at p, gravity and the external wrench (F, N) change the linear and angular
+/// momentum:
 ///   m dv_com/dt = sum f + m g + F,   dL_com/dt = sum (p - p_com) x f + N.
-/// A first-order momentum observer (De Luca, Mattone 2003, who use it for joints) estimates F and N
-/// without measured accelerations. The estimate is bounded. While the feet do not carry the robot,
-/// the estimate does not change.
+/// A first-order momentum observer estimates F and N without measured accelerations (De Luca,
+/// Mattone 2003, there for joints). The estimate is bounded. It does not change while the feet do
+/// not carry the robot.
 ///
-/// The contact forces come from joint torques. So a scale error of the torques also appears as an
-/// external wrench. If the controller compensates this wrench, the commanded torques still hold the
-/// robot. Real-time: yes.
+/// The contact forces come from joint torques, so a scale error of the torques appears as an
+/// external wrench too. This is harmless: if the controller compensates this wrench, the commanded
+/// torques still hold the robot. Real-time: yes.
 class PayloadObserver {
  public:
   explicit PayloadObserver(double mass) : mass_(mass) {}
 
   /// Process one tick.
   /// @param dynamics dynamics at the present state, including the linear velocity of the base
-  /// @param forces forces of the ground on the feet, world axes [N]
-  /// @param supported true if the feet carry the robot and (measured or planned) torques exist
+  /// @param forces contact forces on the feet, FR FL RR RL, world axes [N]
+  /// @param supported true if the feet carry the robot and joint torques are available, measured or
+  ///   planned
   void update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
               bool supported, double dt) noexcept;
 
   const Vector3& force() const noexcept { return force_; }  ///< [N] world axes
   /// [N.m] about the centre of mass, world axes
   const Vector3& moment() const noexcept { return moment_; }
-  double mass() const noexcept { return -force_.z() / kGravity; }  ///< [kg] mass of the payload
+  /// [kg] estimated mass of the payload
+  double mass() const noexcept { return -force_.z() / kGravity; }
   /// Compute the horizontal shift of the centre of mass that the payload causes, world axes [m].
   Vector3 com_shift() const noexcept;
 

@@ -6,28 +6,29 @@
 namespace surefoot {
 
 namespace {
-// In units of the gain push_dead_band: innovation below which it is noise or a model error, 1.5
-// m/s^2 by default. This constant and the next two are chosen with pushes from 16 directions (git
-// a0e3774): a go1 survived 100 % instead of 97.5 % of its limit.
+// Innovation below which the difference is noise or a model error, in units of the gain
+// push_dead_band: 1.5 m/s^2 by default. kNoiseLevel, kFastLevel and kMinTimeScale are chosen with
+// pushes from 16 directions (git a0e3774): with them a go1 survived 100 % instead of 97.5 % of its
+// limit.
 constexpr double kNoiseLevel = 3.0;
-// In units of push_dead_band: excess over kNoiseLevel at which the time constant is halved.
+// Excess over kNoiseLevel at which the time constant is halved, in units of push_dead_band.
 constexpr double kFastLevel = 1.0;
-// In units of push_time: shortest time constant, 6 ms by default. If smaller: at 4 ms the torques
-// of a b1 exceeded the supervisor's limit of torque rate (measured, git e0f1814). If larger: at 1
-// the time constant is never shortened. At 500 Hz the estimate follows one wrong sample by a
+// Shortest time constant, in units of push_time: 6 ms by default. If smaller: at 4 ms the torques
+// of a b1 exceeded the supervisor's limit of the torque rate (measured, git e0f1814). If larger: at
+// 1 the time constant is never shortened. At 500 Hz the estimate follows one wrong sample by a
 // quarter.
 constexpr double kMinTimeScale = 3.0 / 8.0;
-// [s] Longest total time of large innovations in which the time constant is shortened: long enough
-// for start and end of a push. Measured: without this bound, a body with an unknown delay of 16 ms
-// swayed for ever (git ff9d8bc).
+// [s] Longest total time of large innovations for which the time constant is shortened. Long enough
+// for the start and the end of a push. Measured: without this bound, a body with an unknown delay
+// of 16 ms swayed for ever (git ff9d8bc).
 constexpr double kMaxInnovationTime = 0.05;
-// [s/s] Rate at which the counted time falls without large innovations. Derived:
+// [s/s] Rate at which the counted time falls while innovations are small. Derived:
 // kMaxInnovationTime in 1 s.
 constexpr double kInnovationTimeDecay = 0.05;
 }  // namespace
 
 // Only horizontal innovations shorten the time constant, because only horizontal pushes can topple
-// the robot. Large vertical innovations come from accelerometer dropouts and from landing feet.
+// the robot. Large vertical innovations come from accelerometer dropouts and landing feet.
 void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool supported,
                           double dt) noexcept {
   const Vector3 innovation = unexplained - filtered_;
@@ -38,9 +39,9 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
 }
 
 // Compute the time constant as a share of push_time. If the actual delay exceeds the configured
-// delay, the body can sway, with large innovations that persist. A short time constant would
-// sustain this oscillation, so it is used only for a short time. It is not used at all while the
-// robot is lifted: the feet then cannot exert the planned forces.
+// delay, the body can sway, with persistent large innovations. A short time constant would sustain
+// this oscillation, so it is limited to a short time. While the robot is lifted, the time constant
+// is not shortened at all, because the feet cannot exert the planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,
                                 double dt) noexcept {
   const double excess = innovation_norm - kNoiseLevel * gains.push_dead_band;

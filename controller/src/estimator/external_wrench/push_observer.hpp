@@ -6,17 +6,18 @@
 
 namespace surefoot {
 
-/// Observer of a push: external force F = m (a_measured - a_feet) on the body.
+/// Observer of a push: of the external force F = m (a_measured - a_feet) on the body.
 ///
-/// a_feet is the acceleration that the planned contact forces cause: a_planned - F_planned / m,
-/// with F_planned the push that the plan includes. The difference passes a first-order low-pass, a
-/// dead band against noise and small model errors, and a bound. While the feet carry the robot,
-/// large horizontal innovations shorten the time constant for at most 50 ms, because the first
-/// 10 ms of a push decide whether the robot survives it. Real-time: update() yes.
+/// a_feet is the acceleration that the planned contact forces cause. It is
+/// a_planned - F_planned / m, where F_planned is the push that the plan includes. The difference
+/// passes a first-order low-pass, a dead band against noise and small model errors, and a bound.
+/// While the feet carry the robot, large horizontal innovations shorten the time constant for at
+/// most 50 ms, because the first 10 ms of a push decide whether the robot survives it. Real-time:
+/// update() yes.
 ///
 /// Without this observer the controller would react only after a push has moved the body. Also, the
-/// QP would plan the motion of unloaded legs for a body that the push does not accelerate, and
-/// these legs would lag behind the body.
+/// QP would plan the motion of unloaded legs for a body that is not pushed, and these legs would
+/// lag behind the pushed body.
 class PushObserver {
  public:
   /// Process one tick.
@@ -24,8 +25,8 @@ class PushObserver {
   /// @param supported true if the feet carry the robot
   void update(const Gains& gains, const Vector3& unexplained, bool supported, double dt) noexcept;
 
-  /// Compute the acceleration of the body that the push causes, after dead band and bound, world
-  /// axes [m/s^2].
+  /// Compute the acceleration of the body that the push causes, after dead band and bound [m/s^2],
+  /// world axes.
   Vector3 acceleration(const Gains& gains) const noexcept;
 
   void reset() noexcept { *this = PushObserver(); }
@@ -34,7 +35,8 @@ class PushObserver {
   double time_scale(const Gains& gains, double innovation_norm, bool supported, double dt) noexcept;
 
   Vector3 filtered_ = Vector3::Zero();  // [m/s^2] low-pass of `unexplained`
-  double innovation_time_ = 0.0;        // [s] time of large innovations; falls slowly without them
+  // [s] Total time of large innovations; falls slowly while they are small.
+  double innovation_time_ = 0.0;
 };
 
 }  // namespace surefoot

@@ -32,8 +32,8 @@ void ErrorCovariance::transpose() noexcept {
   }
 }
 
-// Compute P Phi^T in place, column by column. A column is changed only after all columns that need
-// its old value.
+// Compute P Phi^T in place, column by column. A column is changed only after it has been used for
+// all other columns that depend on its old value.
 void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexcept {
   const double dt = motion.dt, gravity_dt = kGravity * dt;
   const double* const gyroscope[] = {P_[kGyroscopeBias], P_[kGyroscopeBias + 1],
@@ -71,7 +71,7 @@ void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexce
 }
 
 // Gyroscope noise affects the error on the group exactly as an error of the gyroscope bias does. So
-// the variance of this noise is added to the variance of the bias before the propagation. Its
+// the variance of this noise is added to the variance of the bias before the propagation, and its
 // effect on the bias rows is removed afterwards.
 void ErrorCovariance::propagate(const ErrorPropagation& motion) noexcept {
   fill_upper_triangle();

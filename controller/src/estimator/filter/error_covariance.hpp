@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// First index of each part of the filter's error.
+/// Index of the first entry of each part of the filter's error.
 namespace error_index {
 constexpr int kRotation = 0;
 constexpr int kVelocity = 3;
@@ -14,14 +14,17 @@ constexpr int kFeet = 9;  ///< three entries per foot
 constexpr int kGyroscopeBias = 21;
 constexpr int kAccelerometerBias = 24;
 constexpr int kSize = 27;
-constexpr int kGroupSize = kGyroscopeBias;  ///< number of entries on the group, before the biases
+/// Number of entries on the group, which come before the biases.
+constexpr int kGroupSize = kGyroscopeBias;
 }  // namespace error_index
 
 /// Propagation of the error over one tick: xi_next = Phi xi + noise.
 struct ErrorPropagation {
-  /// Derivative of the error on the group by the angular rate: [R; v x R; p x R; d x R] dt.
+  /// Derivative of the error on the group with respect to the angular rate: [R; v x R; p x R;
+  /// d x R] dt.
   Eigen::Matrix<double, error_index::kGroupSize, 3> rate_jacobian;
-  Matrix3 force_jacobian;                     ///< R dt: derivative of velocity by specific force
+  /// R dt: derivative of the velocity with respect to the specific force.
+  Matrix3 force_jacobian;
   double dt = 0.0;                            ///< [s]
   double rate_variance = 0.0;                 ///< [rad^2/s^2] gyroscope noise of this tick
   double force_variance = 0.0;                ///< [m^2/s^4] accelerometer noise of this tick
@@ -37,19 +40,20 @@ struct ErrorPropagation {
 /// Covariance P of the filter's error, shape (27, 27).
 ///
 /// Only the lower triangle is valid between calls: P_[j][i] is row i of column j, for i >= j.
-/// propagate() and correct() need most of the estimator's time, so most of their loops have
-/// constant length and run over padded columns. Real-time: yes.
+/// propagate() and correct() take most of the estimator's computing time, so most of their loops
+/// have constant length and run over padded columns. Real-time: yes.
 class ErrorCovariance {
  public:
-  static constexpr int kPaddedSize = 28;  // even: a column then consists of whole SIMD vectors
+  static constexpr int kPaddedSize = 28;  // even, so that a column consists of whole SIMD vectors
   using Columns = double[3][kPaddedSize];
 
   ErrorCovariance();
 
   double operator()(int i, int j) const noexcept { return i < j ? P_[i][j] : P_[j][i]; }
-  /// Set the variances of `count` errors, from index `first`, and set their covariances to zero.
+  /// Set the variances of `count` errors, starting at index `first`, and set their covariances to
+  /// zero.
   void set_variance(int first, int count, double variance) noexcept;
-  /// Add to the variances of `count` errors, from index `first`.
+  /// Add `variance` to the variances of `count` errors, starting at index `first`.
   void add_variance(int first, int count, double variance) noexcept;
 
   /// Propagate over one tick: P_next = Phi P Phi^T + Q.
@@ -61,8 +65,9 @@ class ErrorCovariance {
   void project(int leg, const Vector3& lever, Columns& out) const noexcept;
 
   /// Update with a measurement z = H xi + noise of variance R, in the expanded Joseph form:
-  /// (I - K H) P (I - K H)^T + K R K^T = P - K M^T - M K^T, with M = W - K S / 2, W = P H^T,
-  /// S = H P H^T + R. The result is symmetric, and it is correct even if the gain K is inexact.
+  ///   (I - K H) P (I - K H)^T + K R K^T = P - K M^T - M K^T
+  ///   with M = W - K S / 2,  W = P H^T,  S = H P H^T + R
+  /// The result is symmetric, and correct even if the gain K is inexact.
   void correct(const Columns& W, const Columns& K, const Matrix3& S) noexcept;
 
  private:

@@ -7,21 +7,22 @@
 namespace surefoot {
 
 namespace {
-// [s] Time constant of the low-pass against encoder noise. Chosen. Longer than some samples at 500
-// Hz, shorter than kSwingTime.
+// [s] Time constant of the low-pass against encoder noise. Chosen longer than a few samples at
+// 500 Hz, and shorter than kSwingTime.
 constexpr double kFilterTime = 0.01;
-// [s] Sample period to which the noise gains refer. Convention: 500 Hz.
+// [s] Sample period for which the noise gains are given. Convention: 500 Hz.
 constexpr double kNoisePeriod = 0.002;
-// Assumed speed of a foot off the ground: kSwingSpeed [m/s] plus kSwingShare times its speed
-// relative to the base, for kSwingTime [s]. Chosen so large that such a foot has no weight in the
-// filter; the speed of a stance foot is 0.0005 m/s (noise_foot_slip).
+// Assumed speed of a foot off the ground: kSwingSpeed [m/s] plus kSwingShare times the foot's speed
+// relative to the base, for kSwingTime [s]. Chosen so large that the filter gives such a foot no
+// weight; the assumed speed of a stance foot is 0.0005 m/s (noise_foot_slip).
 constexpr double kSwingSpeed = 3.0;
 constexpr double kSwingShare = 3.0;
 constexpr double kSwingTime = 0.1;
-// Load, as a share of the weight, that reduces kUnloadedSpeed by a factor e. Chosen (git
-// 1c1a73e): half of contact_force_off (0.06), at which contact ends; at rest a foot carries 0.25.
+// kUnloadedSpeed is reduced by a factor of e for each such load, as a share of the weight. Chosen
+// (git 1c1a73e): half of contact_force_off (0.06), at which contact ends; at rest a foot carries
+// 0.25.
 constexpr double kUnloadedShare = 0.03;
-constexpr double kUnloadedSpeed = 0.5;  // [m/s] slip speed of a foot without load
+constexpr double kUnloadedSpeed = 0.5;  // [m/s] assumed slip speed of a foot without load
 }  // namespace
 
 void FootMotionModel::update_velocity(const Dynamics& dynamics, double dt) noexcept {

@@ -9,20 +9,21 @@ namespace surefoot {
 /// Contact state of the feet, which determines their process noise in the filter.
 struct FootContactState {
   Eigen::Vector4d contact;  ///< contact confidence, 0 .. 1
-  Eigen::Vector4d load;     ///< load from torques, as a share of the weight; 1: no valid torques
-  Eigen::Vector4d slip;     ///< [m/s] slip confidence times speed of the contact point
-  std::array<bool, kLegs> rejected;  ///< true: the innovation gate rejected the foot
+  /// Load from torques, as a share of the weight; 1 if the torques are invalid.
+  Eigen::Vector4d load;
+  Eigen::Vector4d slip;              ///< [m/s] slip confidence times the speed of the contact point
+  std::array<bool, kLegs> rejected;  ///< true if the innovation gate rejected the foot
 };
 
-/// Motion of the contact points between ticks: the known displacement by rolling of the spherical
-/// feet, and process noise for the unknown motion by slip and swing. Real-time: yes.
+/// Motion of the contact points from tick to tick: the known displacement by rolling of the
+/// spherical feet, and process noise for the unknown motion in slip and swing. Real-time: yes.
 class FootMotionModel {
  public:
   /// Update the velocities of the feet relative to the base.
   void update_velocity(const Dynamics& dynamics, double dt) noexcept;
 
-  /// Compute the displacement of each contact point by rolling since the last call: (rotation of
-  /// the shank) x lever, times the contact confidence.
+  /// Compute the displacement of each contact point by rolling since the last call. It is (rotation
+  /// of the shank) x lever, times the contact confidence.
   ///
   /// The rotation of the shank is the rotation of the base over dt plus the change of the joint
   /// angles since the last call. Joint velocities are not used: their noise would move the contact
@@ -30,14 +31,14 @@ class FootMotionModel {
   /// @param q joint angles, SDK motor order [rad]
   /// @param contact contact confidence per foot, 0 .. 1
   /// @param lever vector from a contact point to the centre of its foot, world axes [m]
-  /// @return displacements FR FL RR RL, world axes [m]; zero in the first call
+  /// @return displacements FR FL RR RL, world axes [m]; zero at the first call
   FeetMatrix rolling_displacement(const Dynamics& dynamics, const Vector12& q,
                                   const Eigen::Vector4d& contact, const Vector3& lever,
                                   double dt) noexcept;
 
-  /// Compute the process noise of each contact point over dt: variance of one coordinate [m^2]. The
-  /// noise is large for feet that are off the ground, slip, or were rejected; it increases when the
-  /// load of a foot decreases.
+  /// Compute the process noise of each contact point over dt, as the variance of one coordinate
+  /// [m^2]. The noise is large for feet that are off the ground, slip or were rejected. It is
+  /// larger for feet that carry less load.
   Eigen::Vector4d process_variance(const Gains& gains, const FootContactState& feet,
                                    double dt) const noexcept;
 
@@ -46,7 +47,8 @@ class FootMotionModel {
  private:
   Vector12 last_q_ = Vector12::Zero();  // [rad] joint angles of the last call
   bool has_last_q_ = false;
-  FeetMatrix v_ = FeetMatrix::Zero();  // [m/s] relative to the base, filtered
+  // [m/s] Velocities of the feet relative to the base, low-passed.
+  FeetMatrix v_ = FeetMatrix::Zero();
 };
 
 }  // namespace surefoot

@@ -8,16 +8,17 @@ namespace surefoot {
 
 namespace {
 // The method is from Mehra 1970; the values are chosen unless stated.
-// [s] Time constant with which the variance decays without innovations. Not shorter than ten
-// samples at 500 Hz, shorter than an impact.
+//
+// [s] Time constant with which the variance decays if all innovations are zero. At least ten
+// samples at 500 Hz, and shorter than an impact.
 constexpr double kTimeConstant = 0.02;
-// Largest normalised innovation squared that counts, in units of its dimension. Derived: the square
-// of five standard deviations.
+// Upper limit of the normalised innovation squared, in units of its dimension; larger values count
+// as this limit. Derived: the square of five standard deviations.
 constexpr double kMaxNisRatio = 25.0;
-// Largest change of log(variance) by one sample: a factor of e = 2.7.
+// Largest change of log(variance) in one sample: a factor of e = 2.7 in the variance.
 constexpr double kMaxLogChange = 1.0;
-// [m] Lower bound of the standard deviation. Derived: quantisation noise of encoder steps of 3e-5
-// rad at 0.2 m, 6e-6 / sqrt(12).
+// [m] Lower bound of the standard deviation. Derived: quantisation noise of encoder steps of
+// 3e-5 rad at a distance of 0.2 m, 6e-6 / sqrt(12).
 constexpr double kMinSigma = 2e-6;
 // [m] Upper bound of the standard deviation. Derived: ten times noise_foot_position.
 constexpr double kMaxSigma = 0.02;
@@ -31,8 +32,8 @@ void FootNoise::update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predic
                        const std::array<bool, kLegs>& stance, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!stance[leg]) continue;
-    // If the predicted variance dominates, innovations contain little information about the
-    // measurement noise.
+    // If the predicted variance is much larger than the measurement noise, innovations contain
+    // little information about this noise.
     const double share = variance_[leg] / (variance_[leg] + predicted_variance[leg]);
     const double excess = std::min(nis[leg] / 3.0, kMaxNisRatio) - 1.0;
     const double growth =

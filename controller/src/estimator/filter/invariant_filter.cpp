@@ -9,28 +9,28 @@ namespace surefoot {
 using namespace error_index;
 
 namespace {
-// [m^2] Variance that keeps the innovation covariance invertible. Numerical: below the square of
-// FootNoise::kMinSigma.
+// [m^2] Variance that keeps the innovation covariance invertible. Numerical: smaller than the
+// square of FootNoise::kMinSigma.
 constexpr double kMinFootVariance = 1e-12;
-// Size of a negative variance, in its own unit, above which the estimate is implausible. Numerical:
+// The estimate is implausible if a variance is more negative than this, in its own unit. Numerical:
 // rounding errors make zero variances slightly negative.
 constexpr double kVarianceTolerance = 1e-6;
-// Values above which the estimate is implausible. Chosen: no robot is as fast, and the biases are a
+// The estimate is implausible above these values. Chosen: no robot is as fast, and the biases are a
 // tenth and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
 constexpr double kMaxSpeed = 20.0;              // [m/s]
 constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
 constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
-// [rad] Rotation after which a linearisation point is renewed. Chosen. If smaller: noise of the
-// estimate renews the point, which made the tilt drift at rest (test_estimator_rest.cpp). If
+// [rad] A linearisation point is renewed after a rotation by this angle. Chosen. If smaller: noise
+// of the estimate renews the point, which made the tilt drift at rest (test_estimator_rest.cpp). If
 // larger: the error of the linearisation grows.
 constexpr double kRelinearisationAngle = 0.01;
 
 double square(double x) noexcept { return x * x; }
 
 // Set decay and process noise of the accelerometer bias. The bias is a first-order Gauss-Markov
-// process: the gain accelerometer_drift sets its random walk, and start_accelerometer_bias its
+// process. The gain accelerometer_drift sets its random walk, and start_accelerometer_bias its
 // stationary standard deviation. At rest a horizontal bias cannot be distinguished from a tilt. If
-// the bias had no stationary value, bias and tilt would drift together for ever.
+// the bias were a pure random walk, bias and tilt would drift together for ever.
 void discretise_accelerometer_bias(const Gains& gains, ErrorPropagation& motion) noexcept {
   const double start = square(gains.start_accelerometer_bias);
   const double rate = 0.5 * square(gains.accelerometer_drift) / start;
@@ -68,25 +68,25 @@ bool InvariantFilter::is_plausible() const noexcept {
   return values && variances;
 }
 
-// Choose the attitude at which the effect of the biases on the error is linearised. This attitude
-// is kept until the body has rotated by kRelinearisationAngle.
+// Choose the attitude at which the effect of the biases on the error is linearised. The filter
+// keeps this attitude until the body has rotated by kRelinearisationAngle.
 //
 // At rest a horizontal bias and a tilt cannot be distinguished. If the filter linearised at each
-// new estimate, the Jacobian would vary with the noise of the estimate and correlate with the
-// innovations. The filter would then wrongly treat tilt and bias as separately observable, and the
-// bias of a robot at rest would drift by 0.16 m/s^2 an hour. The cause is inconsistency by
-// linearisation (Huang, Mourikis, Roumeliotis 2010, "Observability-based rules for designing
-// consistent EKF SLAM estimators").
+// new estimate, the Jacobian would vary with the noise of the estimate and would be correlated with
+// the innovations. The filter would then wrongly treat tilt and bias as separately observable, and
+// the bias of a robot at rest would drift by 0.16 m/s^2 per hour. This is the inconsistency by
+// linearisation that Huang, Mourikis, Roumeliotis 2010 describe ("Observability-based rules for
+// designing consistent EKF SLAM estimators").
 void InvariantFilter::relinearise() noexcept {
   // For a small angle a between attitudes R_1 and R_2: |R_1 - R_2|^2 = 2 a^2.
   if ((R_ - R_linearisation_).squaredNorm() > 2.0 * square(kRelinearisationAngle))
     R_linearisation_ = R_;
 }
 
-// Choose the lever at which the measurement is linearised; it is also kept until it has rotated by
-// kRelinearisationAngle. The ground normal comes from the estimated feet and has their noise. If
-// the filter linearised at each new lever, the bias of a standing robot would drift by 0.016 m/s^2
-// an hour.
+// Choose the lever at which the measurement is linearised. The filter keeps this lever until the
+// lever has rotated by kRelinearisationAngle. The ground normal comes from the estimated feet and
+// has their noise: if the filter linearised at each new lever, the bias of a standing robot would
+// drift by 0.016 m/s^2 per hour.
 void InvariantFilter::relinearise(const Vector3& lever) noexcept {
   const double most = square(kRelinearisationAngle) * lever.squaredNorm();
   if ((lever - lever_linearisation_).squaredNorm() > most) lever_linearisation_ = lever;
@@ -112,15 +112,16 @@ void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
   motion.gyroscope_drift_variance = square(gains.gyroscope_drift) * dt;
   discretise_accelerometer_bias(gains, motion);
   // Stance feet make the vertical bias observable, so this component gets more process noise. With
-  // a small variance, the filter would attribute a jump of the vertical bias to the horizontal bias
-  // and the tilt: a jump of 0.7 m/s^2 can then make an a1 tip over. The time constant of the
+  // little process noise, the filter would attribute a jump of the vertical bias to the horizontal
+  // bias and the tilt: a jump of 0.7 m/s^2 could then make an a1 tip over. The time constant of the
   // vertical bias is sigma sqrt(dt) / accelerometer_drift_vertical, where sigma is the standard
   // deviation of the accelerometer.
   motion.up_base = R_linearisation_.row(2);
   motion.vertical_drift_variance = square(gains.accelerometer_drift_vertical) * dt;
   P_.propagate(motion);
 
-  // Rotate the specific force by half of the tick's rotation: the result is its mean over the tick.
+  // Rotate the specific force by half of the rotation in this tick, which gives its mean over the
+  // tick.
   const Vector3 turn = dt * (imu.w_base - gyroscope_bias_);
   const Vector3 force = imu.f_base - accelerometer_bias_;
   const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
@@ -144,11 +145,11 @@ void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& v
   apply(xi);
 }
 
-// Add the correction by one foot to xi. The innovation is z = R y - (d - p); to first order it is
+// Add the correction by one foot to xi. The innovation is z = R y - (d - p). To first order it is
 // xi_p - xi_d + xi_R x lever, independent of the state. The last term exists because y is the
-// contact point of a spherical foot, whose position relative to the centre depends on the ground
-// normal in base axes, and so on the estimated attitude. All feet share one linearisation point, so
-// the correction by the feet before this foot is subtracted from the innovation.
+// contact point of a spherical foot. Its position relative to the centre of the foot depends on the
+// ground normal in base axes, and so on the estimated attitude. All feet share one linearisation
+// point, so the corrections by the feet with lower index are subtracted from the innovation.
 void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, double gate,
                                    const Vector3& lever, Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
@@ -186,7 +187,7 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, d
   P_.correct(W, K, S);
 }
 
-// Apply the correction xi: X_next = exp(-xi) X on the group; for the biases, subtract xi.
+// Apply the correction xi. On the group: X_next = exp(-xi) X. Biases: subtract xi.
 void InvariantFilter::apply(const Error& xi) noexcept {
   const Vector3 turn = -xi.segment<3>(kRotation);
   const Quaternion dq = exp_so3(turn);

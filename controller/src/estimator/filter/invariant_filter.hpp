@@ -8,17 +8,17 @@ namespace surefoot {
 
 /// Initial standard deviations of the filter.
 struct InitialSigmas {
-  double tilt = 0.0;           ///< [rad] of roll and pitch each
+  double tilt = 0.0;           ///< [rad] of roll and of pitch
   double velocity = 0.0;       ///< [m/s]
   double foot = 0.0;           ///< [m]
-  double gyroscope = 0.0;      ///< [rad/s] of the bias
-  double accelerometer = 0.0;  ///< [m/s^2] of the bias
+  double gyroscope = 0.0;      ///< [rad/s] of the gyroscope bias
+  double accelerometer = 0.0;  ///< [m/s^2] of the accelerometer bias
 };
 
-/// IMU measurement of one tick, with variances.
+/// IMU measurement of one tick and its variances. The values include the biases.
 struct ImuInput {
-  Vector3 w_base = Vector3::Zero();  ///< [rad/s] bias included
-  Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force, bias included
+  Vector3 w_base = Vector3::Zero();  ///< [rad/s] angular velocity
+  Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force
   double w_variance = 0.0;           ///< [rad^2/s^2]
   double f_variance = 0.0;           ///< [m^2/s^4]
   double dt = 0.0;                   ///< [s]
@@ -28,20 +28,21 @@ struct ImuInput {
 /// contact points and IMU biases.
 ///
 /// The state X = (R, v, p, d_1 .. d_4) of the IMU point and the contact points is an element of the
-/// group SE_6(3); the biases, in base axes, are vectors beside it. Gyroscope and accelerometer
-/// drive the prediction. The forward kinematics of each leg measure y = R^T (d - p), the vector
-/// from the IMU point to the contact point, base axes.
+/// group SE_6(3). The biases are not part of the group; they are vectors in base axes. Gyroscope
+/// and accelerometer drive the prediction. The forward kinematics of each leg measure
+/// y = R^T (d - p), the vector from the IMU point to the contact point in base axes.
 ///
 /// The error is right-invariant, X_estimate = exp(xi) X. Its linearised dynamics and measurement
-/// depend on the state only through the biases. So the filter converges from large initial errors
-/// and gains no false information about what is not observable: yaw, position and, at rest, the
-/// horizontal accelerometer bias.
+/// depend on the state only through the biases. So the filter converges from large initial errors,
+/// and gains no false information about the states that are not observable: yaw, position and, at
+/// rest, the horizontal accelerometer bias.
 ///
 /// Source: Hartley, Ghaffari, Eustice, Grizzle, "Contact-aided invariant extended Kalman filtering
 /// for robot state estimation", IJRR 2020. Differences from the paper: contact points roll with the
-/// spherical feet; all four feet stay in the state, with large process noise off the ground; the
-/// accelerometer bias is a Gauss-Markov process; an innovation gate rejects feet; the linearisation
-/// points of biases and lever are kept until body or lever has rotated by 10 mrad. Real-time: yes.
+/// spherical feet; all four feet stay in the state, with large process noise while they are off the
+/// ground; the accelerometer bias is a Gauss-Markov process; an innovation gate rejects feet; the
+/// linearisation points of biases and lever are kept until the body or the lever has rotated by 10
+/// mrad. Real-time: yes.
 class InvariantFilter {
  public:
   /// Start again with zero biases.
@@ -59,23 +60,24 @@ class InvariantFilter {
     gyroscope_bias_.setZero();
     accelerometer_bias_.setZero();
   }
-  /// Return whether speed, biases and variances are in the range that is possible for a robot. An
-  /// implausible estimate does not recover by itself.
+  /// Return whether speed, biases and variances are in a range that is possible for a robot. An
+  /// implausible estimate does not recover without a reset.
   bool is_plausible() const noexcept;
 
-  /// Predict over one tick.
+  /// Predict the state over one tick.
   /// @param foot_variance process noise [m^2] of each contact point, see FootMotionModel
   void predict(const Gains& gains, const ImuInput& imu,
                const Eigen::Vector4d& foot_variance) noexcept;
 
-  /// Move the contact points by a known displacement, such as rolling; world axes [m].
+  /// Move the contact points by a known displacement, for example by rolling; world axes [m].
   void move_feet(const FeetMatrix& displacement) noexcept { feet_ += displacement; }
 
   /// Correct the estimate with the contact points from forward kinematics.
   /// @param y_base vectors from the IMU point to the contact points, base axes [m]
   /// @param variance measurement noise of each foot: variance of one coordinate [m^2]
-  /// @param gate limit of a foot's innovation [standard deviations]; above it the measurement noise
-  /// of the foot is enlarged to match, and above kRejectionRatio * gate the foot is rejected
+  /// @param gate limit of a foot's innovation [standard deviations]. Above it, the measurement
+  ///   noise of the foot is increased so that the innovation is about at the limit. Above
+  ///   kRejectionRatio * gate, the foot is rejected
   /// @param lever vector from a contact point to the centre of its foot, world axes [m]
   void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
                const Vector3& lever) noexcept;
@@ -92,23 +94,23 @@ class InvariantFilter {
   // Results of the last correct():
   /// True for each foot that the gate rejected.
   const std::array<bool, kLegs>& rejected_feet() const noexcept { return rejected_feet_; }
-  /// Normalised innovation squared of all feet that were not rejected, and its dimension.
+  /// Normalised innovation squared, summed over all feet that were not rejected, and its dimension.
   double nis() const noexcept { return nis_; }
   int nis_dimension() const noexcept { return nis_dimension_; }
-  /// Normalised innovation squared of each foot, and the variance [m^2] of one coordinate of its
+  /// For each foot: normalised innovation squared, and variance [m^2] of one coordinate of the
   /// innovation without measurement noise.
   const Eigen::Vector4d& foot_nis() const noexcept { return foot_nis_; }
   const Eigen::Vector4d& predicted_variance() const noexcept { return predicted_variance_; }
 
-  /// Increase the variance of the velocity, for example after a saturated accelerometer.
+  /// Increase the variance of the velocity, for example after the accelerometer was saturated.
   void add_velocity_variance(double variance) noexcept {
     P_.add_variance(error_index::kVelocity, 3, variance);
   }
 
  private:
-  // In units of gate_foot: innovation above which a foot is rejected; from 1 to this value the foot
-  // only gets less weight. Chosen: the filter must still use a foot that slips slowly, but not a
-  // foot that is off by 20 sigma (docs/estimation.md).
+  // Innovation above which a foot is rejected, in units of gate_foot. Between 1 and this value the
+  // foot only gets less weight. Chosen: the filter must still use a foot that slips slowly, but not
+  // a foot whose innovation is 20 standard deviations (docs/estimation.md).
   static constexpr double kRejectionRatio = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,
@@ -119,8 +121,8 @@ class InvariantFilter {
 
   Quaternion q_ = Quaternion::Identity();
   Matrix3 R_ = Matrix3::Identity();
-  Matrix3 R_linearisation_ = Matrix3::Identity();  // linearisation point of the bias Jacobians
-  Vector3 lever_linearisation_ = Vector3::Zero();  // linearisation point of the measurement
+  Matrix3 R_linearisation_ = Matrix3::Identity();  // attitude at which the biases are linearised
+  Vector3 lever_linearisation_ = Vector3::Zero();  // lever at which the measurement is linearised
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();

@@ -9,51 +9,52 @@ namespace surefoot {
 namespace {
 
 // [rad/s^2], [m/s^3] Assumed rates of change of a signal while the sensor repeats its last value.
-// Chosen: over the 20 ms of a 50 Hz sensor the change reaches 1 rad/s (kUnmeasuredRateNoise) and
+// Chosen: over the 20 ms of a 50 Hz sensor the changes reach 1 rad/s (kUnmeasuredRateNoise) and
 // 10 m/s^2 (1 g).
 constexpr double kHeldRateDrift = 50.0;
 constexpr double kHeldForceDrift = 500.0;
 // [sigma^2] Squared change above which the signal itself has changed. Derived: three times the
-// squared change that noise alone causes on three axes (2 sigma^2 each).
+// squared change that noise alone causes on three axes (2 sigma^2 on each axis).
 constexpr double kNoiseOnlyChange = 18.0;
-// Standard deviation of a tick's mean, as a share of the signal's change in the tick. Chosen close
-// to 1 / sqrt(12) = 0.29, the value if the mean is uniformly distributed between the two samples.
+// Standard deviation of the mean over a tick, as a share of the change of the signal in the tick.
+// Chosen close to 1 / sqrt(12) = 0.29, the value for a mean that is uniformly distributed between
+// the two samples.
 constexpr double kMeanUncertainty = 0.25;
-// [rad/s] Standard deviations of a rate from the IMU quaternion and of a rate from the legs.
-// Chosen. Both larger than noise_gyroscope (0.01), because these rates replace the gyroscope only
-// when it fails. The value of the legs is larger because feet slip. Test:
+// [rad/s] Standard deviations of a rate from the IMU quaternion, and of a rate from the legs.
+// Chosen. Both are larger than noise_gyroscope (0.01), because these rates replace the gyroscope
+// only when it fails. The second one is larger because feet slip. Test:
 // frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates.
 constexpr double kQuaternionRateNoise = 0.05;
 constexpr double kLegRateNoise = 0.2;
-// [rad/s] Rate above which the quaternion has jumped. Derived: full scale of the gyroscope, 2000
-// deg/s.
+// [rad/s] A larger rate from the quaternion means that the quaternion has jumped. Derived: full
+// scale of the gyroscope, 2000 deg/s.
 constexpr double kMaxQuaternionRate = 35.0;
-// The gyroscope is rejected if both conditions hold:
-// [rad/s] The rates of gyroscope and legs differ by more than this. Chosen. Not smaller than five
-// times kLegRateNoise; smaller than 3 rad/s: an error of 3 rad/s for 0.1 s made a go1 fall
+// The gyroscope is rejected if both of these conditions hold:
+// [rad/s] 1. The rates of gyroscope and legs differ by more than this. Chosen at least five times
+// kLegRateNoise, and smaller than 3 rad/s: an error of 3 rad/s for 0.1 s made a go1 fall
 // (docs/estimation.md).
 constexpr double kMinContradiction = 1.0;
-// The rates of quaternion and legs differ by less than this share of the first difference. Chosen:
-// the quaternion is then closer to the legs than to the gyroscope; test
+// 2. The rates of quaternion and legs differ by less than this share of the difference in
+// condition 1. Chosen: the quaternion is then closer to the legs than to the gyroscope; test
 // legs_and_quaternion_outvote_a_wrong_gyroscope.
 constexpr double kAgreementRatio = 0.5;
 // [rad/s], [m/s^2] Standard deviations of rate and specific force if nothing measures them and the
-// body is assumed to be at rest: 1 rad/s and 0.3 g. Chosen. Larger than the motion of a standing
+// body is assumed to be at rest: 1 rad/s and 0.3 g. Chosen larger than the motion of a standing
 // body.
 constexpr double kUnmeasuredRateNoise = 1.0;
 constexpr double kUnmeasuredForceNoise = 3.0;
 
 double square(double x) noexcept { return x * x; }
 
-// Compute the variance of a sample that is used for the `age`-th time. All uses share one noise
-// value: n uses have the total variance n^2 sigma^2, so the n-th use adds (2 n - 1) sigma^2. The
-// second term covers the change of the signal since the sample; `change` is a rate of change.
+// Compute the variance of a sample that is used for the `age`-th time. All uses contain the same
+// noise: n uses together have the variance n^2 sigma^2, so the n-th use adds (2 n - 1) sigma^2. The
+// second term is the change of the signal since the sample; `change` is its rate of change.
 double held_variance(double sigma, int age, double change, double dt) noexcept {
   return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
 }
 
-// Compute the variance of the mean over a tick, of which only the values at both ends are measured:
-// a change beyond the noise may have happened early or late in the tick.
+// Compute the variance of the mean over a tick. Only the values at both ends of the tick are
+// measured: a change beyond the noise may have happened early or late in the tick.
 double mean_variance(const Vector3& change, double sigma) noexcept {
   return square(kMeanUncertainty) *
          std::max(change.squaredNorm() - kNoiseOnlyChange * square(sigma), 0.0);
@@ -106,19 +107,19 @@ ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
   return out;
 }
 
-// Return whether legs and IMU quaternion agree with each other, but not with the gyroscope. When
+// Return whether legs and IMU quaternion agree with each other but contradict the gyroscope. If
 // feet slip or the body is hit, gyroscope and quaternion agree, so the gyroscope is not rejected.
 bool ImuFilterInput::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
                                            const Dynamics& dynamics, const Eigen::Vector4d& contact,
                                            bool quaternion_changed) const noexcept {
   if (!quaternion_changed && !gyroscope_rejected_) return false;  // legs alone do not suffice
-  // With fewer than three stance feet, use the last rate instead of the rate from the legs: a body
-  // cannot change its rate by kMinContradiction within one tick.
+  // With fewer than three stance feet, the last rate replaces the rate from the legs, because a
+  // body cannot change its rate by kMinContradiction within one tick.
   Vector3 w_legs = last_w_ - filter.gyroscope_bias();
   rate_from_legs(dynamics, contact, w_legs);
   const double deviation = (imu.w_base - filter.gyroscope_bias() - w_legs).norm();
   if (!(deviation > kMinContradiction)) return false;
-  if (!quaternion_changed) return true;  // quaternion not updated: keep the verdict
+  if (!quaternion_changed) return true;  // the quaternion has no new value: keep the verdict
   const Vector3 w_quaternion =
       log_so3(last_quaternion_.conjugate() * imu.R_world_base) / quaternion_age_;
   return (w_quaternion - w_legs).norm() < kAgreementRatio * deviation;
@@ -130,7 +131,7 @@ void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& 
   Vector3 w = Vector3::Zero();
   double sigma = kUnmeasuredRateNoise;
   // The robot may update the quaternion less often than it sends samples. The filter has already
-  // applied rotation_since_last_ in the meantime, so this rotation is subtracted.
+  // applied rotation_since_last_ since the last update, so this rotation is subtracted.
   if (quaternion_changed)
     w = log_so3(rotation_since_last_.conjugate() * last_quaternion_.conjugate() *
                 imu.R_world_base) /
@@ -145,8 +146,8 @@ void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& 
 }
 
 // Contact points at rest do not rotate about each other. If the rate of the dynamics is too high by
-// b, the contact points seem to move by v_i - mean(v) = b x (p_i - mean(p)). Find b by least
-// squares.
+// b, the contact points seem to move by v_i - mean(v) = b x (p_i - mean(p)). The function finds b
+// by least squares.
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept {
   Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();

@@ -11,14 +11,14 @@ namespace surefoot {
 /// Converts IMU readings to filter inputs: means over the tick and their variances.
 ///
 /// The mean is the average of the last and the present sample. NoiseEstimator measures the noise of
-/// the samples, starting from the gains. Repeated samples get a larger variance.
+/// the samples; its initial values are the gains. Repeated samples get a larger variance.
 ///
-/// The gyroscope is replaced when its verdict is bad. It is also replaced when the IMU quaternion
-/// and the stance legs agree with each other but contradict the gyroscope; with fewer than three
-/// stance feet the last rate is used instead of the rate from the legs. The replacement is the rate
-/// of the quaternion if the quaternion has changed. Otherwise it is the rate from the legs, and
-/// with fewer than three stance feet zero with a large variance. An accelerometer with a bad
-/// verdict is replaced by gravity, as at rest. Real-time: yes.
+/// The gyroscope is replaced if its verdict is bad, or if the IMU quaternion and the stance legs
+/// agree with each other but contradict it. (With fewer than three stance feet, this comparison
+/// uses the last rate instead of the rate from the legs.) The replacement is the rate of the
+/// quaternion if the quaternion has changed. Otherwise it is the rate from the legs, or zero with a
+/// large variance if there are fewer than three stance feet. An accelerometer with a bad verdict is
+/// replaced by gravity, as at rest. Real-time: yes.
 class ImuFilterInput {
  public:
   /// Compute the filter input of this tick.
@@ -41,19 +41,19 @@ class ImuFilterInput {
 
   NoiseEstimator w_noise_, f_noise_;
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
-  Quaternion last_quaternion_ = Quaternion::Identity();  // of the IMU
+  Quaternion last_quaternion_ = Quaternion::Identity();  // last quaternion of the IMU
   // Rotation that the filter has applied since the quaternion last changed.
   Quaternion rotation_since_last_ = Quaternion::Identity();
-  double quaternion_age_ = 0.0;       // [s] since the quaternion last changed
-  bool has_last_quaternion_ = false;  // the last sample had a valid quaternion
+  double quaternion_age_ = 0.0;       // [s] time since the quaternion last changed
+  bool has_last_quaternion_ = false;  // true if the last sample had a valid quaternion
   bool gyroscope_rejected_ = false;
   bool started_ = false;
 };
 
 /// Compute the angular velocity of the base at which the stance feet are at rest, by least squares.
-///
 /// @param w_base result: angular velocity, base axes [rad/s]
-/// @return false with fewer than three stance feet or a singular fit; w_base is then unchanged
+/// @return false if there are fewer than three stance feet or the fit is singular; w_base then
+///   stays unchanged
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept;
 

@@ -6,15 +6,16 @@
 namespace surefoot {
 
 namespace {
-// [m/s^2] Derived: just below 16 g (156.9), the assumed full scale of the accelerometer.
+// [m/s^2] An accelerometer counts as saturated from this value on. Derived: just below 16 g
+// (156.9), its assumed full scale.
 constexpr double kForceRange = 156.0;
 }  // namespace
 
 void ImuReader::StuckVectorDetector::update(const Vector3& value, bool joints_changed,
                                             double dt) noexcept {
   if (value == last) {
-    // Count the sample only if the joints have changed: a whole sample that repeats is no sensor
-    // fault.
+    // The time counts only if the joints have changed: if the whole sample repeats, the sensor has
+    // no fault.
     age += joints_changed;
     unchanged_time += joints_changed ? dt : 0.0;
     return;

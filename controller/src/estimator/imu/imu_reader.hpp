@@ -6,15 +6,17 @@
 
 namespace surefoot {
 
-/// One IMU sample in base axes, with verdicts.
+/// One IMU sample in base axes, with a verdict on each sensor.
 struct ImuReading {
-  Vector3 w_base = Vector3::Zero();                  ///< [rad/s] as measured, bias included
-  Vector3 f_base = Vector3::Zero();                  ///< [m/s^2] specific force at the IMU
+  Vector3 w_base = Vector3::Zero();  ///< [rad/s] as measured, bias included
+  /// [m/s^2] Specific force at the IMU, bias included.
+  Vector3 f_base = Vector3::Zero();
   Quaternion R_world_base = Quaternion::Identity();  ///< valid if has_quaternion
-  bool has_quaternion = false;                       ///< the IMU quaternion has norm 1, within 5 %
-  /// Number of samples with the present value, this one included: 1 means a new value.
+  /// True if the IMU quaternion has norm 1, within 5 %.
+  bool has_quaternion = false;
+  /// Number of samples that have had the present value, this sample included; 1: the value is new.
   int w_age = 1, f_age = 1;
-  bool changed = true;  ///< joints or IMU differ from the last sample
+  bool changed = true;  ///< true if joints or IMU differ from the last sample
   SensorVerdict gyroscope = SensorVerdict::kUnjudged;
   SensorVerdict accelerometer = SensorVerdict::kUnjudged;
   SensorVerdict quaternion = SensorVerdict::kUnjudged;
@@ -22,12 +24,12 @@ struct ImuReading {
 
 /// Converts IMU samples to base axes and detects values that repeat.
 ///
-/// An IMU that is slower than the samples repeats its values; this is no fault for up to
-/// kMaxHoldTime. A signal that stays constant for longer while the joint values change gets the
+/// An IMU that is slower than the samples repeats its values, which is no fault for up to
+/// kMaxHoldTime. A signal that is constant for longer, while the joint values change, gets the
 /// verdict kZero or kConstant. Real-time: yes.
 class ImuReader {
  public:
-  /// [rad/s] Rate from which the gyroscope counts as saturated. Derived: just below 2000 deg/s
+  /// [rad/s] The gyroscope counts as saturated from this rate on. Derived: just below 2000 deg/s
   /// (34.9), its assumed full scale.
   static constexpr double kRateRange = 34.8;
   /// [s] Longest time for which a working sensor repeats a value. Derived: 20 ms of a 50 Hz sensor,
@@ -35,7 +37,7 @@ class ImuReader {
   static constexpr double kMaxHoldTime = 0.022;
 
   /// Process one sample.
-  /// @param joints values that change with every new sample, such as q + dq
+  /// @param joints any values that change with every new sample, for example q + dq
   void read(const IMU& imu, const RobotConfig& config, const Vector12& joints, double dt,
             ImuReading& out) noexcept;
   void reset() noexcept { *this = ImuReader(); }

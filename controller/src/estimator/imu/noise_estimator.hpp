@@ -10,9 +10,9 @@ namespace surefoot {
 
 /// Online estimate of the white noise of a three-axis sensor.
 ///
-/// Second differences contain little body motion and six times the noise variance: per axis,
-/// E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, which is right for the
-/// filter. Real-time: yes.
+/// Second differences contain little body motion. On each axis they contain six times the noise
+/// variance: E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, as the filter
+/// requires. Real-time: yes.
 class NoiseEstimator {
  public:
   /// Start again with an initial value.
@@ -41,19 +41,19 @@ class NoiseEstimator {
   }
 
  private:
-  // [s] Time constant of the average. Chosen. If smaller: the estimate misses an accuracy of 10 %,
-  // which needs some hundred samples. If larger: the estimate follows changes of the noise, such as
-  // vibration, too late. Test: sample_noise_is_estimated_within_10_percent_during_motion.
+  // [s] Time constant of the average. Chosen. If smaller: the average misses an accuracy of 10 %,
+  // which needs some hundred samples. If larger: the estimate follows changes of the noise, for
+  // example vibration, too late. Test: sample_noise_is_estimated_within_10_percent_during_motion.
   static constexpr double kTimeConstant = 0.5;
   static constexpr double kPriorSamples = 20.0;  // [samples] weight of the initial value; chosen
-  // Largest sample variance that counts, as a multiple of the estimate; impacts cause larger ones.
-  // Derived: the square of five standard deviations.
+  // Largest variance of one sample, as a multiple of the estimate; larger values, from impacts,
+  // count as this limit. Derived: the square of five standard deviations.
   static constexpr double kOutlierRatio = 25.0;
-  // Bounds of the estimate, as multiples of the initial sigma. Chosen: no real sensor is further
-  // from the gains noise_gyroscope and noise_accelerometer (docs/estimation.md).
+  // Bounds of the estimate, as multiples of the initial sigma. Chosen: the noise of no real sensor
+  // is further from the gains noise_gyroscope and noise_accelerometer (docs/estimation.md).
   static constexpr double kMinRatio = 0.25;
   static constexpr double kMaxRatio = 10.0;
-  static constexpr int kMaxCount = 1 << 20;  // against overflow; the blend is constant long before
+  static constexpr int kMaxCount = 1 << 20;  // avoids overflow; `blend` is constant long before
   double prior_sigma_ = 1.0, variance_ = 1.0;
   int count_ = 0;
   Vector3 last_ = Vector3::Zero(), second_last_ = Vector3::Zero();

@@ -6,15 +6,16 @@
 namespace surefoot {
 
 namespace {
-// The tilts contradict each other above kMaxTiltDifference + kSigmaFactor sigma.
-// [rad] Error of an IMU's attitude filter under acceleration, 5 deg. Chosen. Smaller than 10 deg,
-// at which arming refuses a quaternion. Test: quaternion_disagrees_after_1_s_of_contradiction.
+// The tilts contradict each other if they differ by more than kMaxTiltDifference + kSigmaFactor
+// sigma.
+// [rad] Error of an IMU's attitude filter under acceleration, 5 deg. Chosen smaller than 10 deg, at
+// which arming rejects a quaternion. Test: quaternion_disagrees_after_1_s_of_contradiction.
 constexpr double kMaxTiltDifference = 0.0873;
-// Factor of sigma, the standard deviation of the filter's tilt. Chosen. Equal to the default of
+// Factor of sigma, the standard deviation of the filter's tilt. Chosen equal to the default of
 // gate_foot.
 constexpr double kSigmaFactor = 4.0;
-// [s] Duration of a contradiction after which the verdict changes. Chosen. Longer than a push of
-// 0.1 s, which disturbs the IMU's attitude filter. If larger: if the estimate is wrong, the robot
+// [s] Duration of a contradiction after which the verdict changes. Chosen longer than a push of
+// 0.1 s, which disturbs the IMU's attitude filter. If larger: a robot whose estimate is wrong
 // balances with a wrong tilt for longer.
 constexpr double kDetectionTime = 1.0;
 }  // namespace

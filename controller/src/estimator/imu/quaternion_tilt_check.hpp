@@ -7,8 +7,8 @@ namespace surefoot {
 
 /// Compares the tilt of the IMU quaternion with the tilt of the filter.
 ///
-/// The IMU computes its quaternion from the same gyroscope and accelerometer that the filter uses.
-/// So the quaternion is only a check and no independent measurement. Real-time: yes.
+/// The IMU computes its quaternion from the gyroscope and accelerometer that the filter uses too.
+/// So the quaternion is a check only, and no independent measurement. Real-time: yes.
 class QuaternionTiltCheck {
  public:
   /// Process one sample.
@@ -23,7 +23,8 @@ class QuaternionTiltCheck {
  private:
   SensorVerdict verdict_ = SensorVerdict::kUnjudged;
   double tilt_difference_ = 0.0;
-  double contradiction_time_ = 0.0;  // [s] rises while the tilts contradict each other, else falls
+  // [s] Rises while the tilts contradict each other, falls otherwise.
+  double contradiction_time_ = 0.0;
 };
 
 }  // namespace surefoot

@@ -10,30 +10,31 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. The rows imu_bias, quaternion, packet_loss and unknown_pose of `surefoot faults`
-// (bindings/surefoot/faults/rows) bracket the values: "passes" and "is refused" refer to these
-// rows.
-// Share of missing samples from which the check link fails. Must exceed single lost samples; 4 % is
-// refused.
+// The constants are chosen by hand. The rows imu_bias, quaternion, packet_loss and unknown_pose of
+// `surefoot faults` (bindings/surefoot/faults/rows) bracket the values. "Passes" and "is rejected"
+// refer to these rows.
+//
+// Share of missing samples from which the check `link` fails. Larger than the share of single lost
+// samples; 4 % is rejected.
 constexpr double kMaxLoss = 0.01;
-// [s] Time constant of the mean of that share. Equal to the default of arming_time.
+// [s] Time constant of the mean of this share. Equal to the default of arming_time.
 constexpr double kWindow = 1.0;
-// Error of a quaternion's length from which the check fails. Must exceed the rounding of float
-// (1e-7); 1 % is refused.
+// Error of a quaternion's norm from which the check fails. Larger than the rounding of a float
+// (1e-7); 1 % is rejected.
 constexpr double kQuaternionTolerance = 1e-3;
-// [rad/s] Turn rate from which the body is not at rest: 0.02 passes, 0.1 is refused.
+// [rad/s] Turn rate from which the check fails: 0.02 passes, 0.1 is rejected.
 constexpr double kMaxTurnRate = 0.05;
-// [g] Error of the accelerometer's magnitude from which the check fails: 0.2 m/s^2 passes, 0.7
-// m/s^2 is refused.
+// [g] Error of the accelerometer's magnitude from which the check fails: 0.2 m/s^2 passes,
+// 0.7 m/s^2 is rejected.
 constexpr double kGravityTolerance = 0.05;
-// [s] Time constant of the low-pass filter on the IMU. Must exceed the sample period. Must be below
-// 0.5 s, within which a fault is refused.
+// [s] Time constant of the low-pass of the IMU. Longer than the sample period, and shorter than the
+// 0.5 s within which a fault must be rejected.
 constexpr double kSmoothing = 0.1;
 // [rad] 10 degrees: angle between attitude and accelerometer from which the check fails. Twice the
-// error of vendors' filters (up to 5 degrees).
+// error of the vendors' filters (up to 5 degrees).
 constexpr double kMaxAttitudeError = 0.1745;
-// [rad] 25 degrees: tilt from which the check fails. Must exceed the 20 degrees at which robots
-// come to rest (sim/physics/lying_pose.py); 35 degrees are refused. RolloverMonitor::kRollTilt is
+// [rad] 25 degrees: tilt from which the check fails. Larger than the 20 degrees at which robots
+// come to rest (sim/physics/lying_pose.py); 35 degrees are rejected. RolloverMonitor::kRollTilt is
 // the same angle.
 constexpr double kMaxTilt = 0.44;
 
@@ -72,7 +73,8 @@ void ArmingChecks::count_missed() noexcept {
 void ArmingChecks::add_link_counts(double received, double missing) noexcept {
   has_link_counts_ = true;
   received_ += received;
-  missing_ = std::max(missing_ + missing, 0.0);  // samples counted as missing may still arrive
+  // Samples that were counted as missing may still arrive.
+  missing_ = std::max(missing_ + missing, 0.0);
 }
 
 void ArmingChecks::count_link(double step) noexcept {
@@ -80,8 +82,8 @@ void ArmingChecks::count_link(double step) noexcept {
   received_ *= fade;
   missing_ *= fade;
   if (!has_link_counts_) {
-    // period_ estimates the period of the link. It drops to a shorter step at once, and grows by
-    // 0.1 % a sample for a slower link (a factor of e in 1000 samples; chosen).
+    // period_ estimates the period of the link. A shorter step lowers it at once. For a slower link
+    // it grows by 0.1 % per sample (chosen: a factor of e in 1000 samples).
     if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
     received_ += 1.0;
     if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
@@ -95,7 +97,7 @@ void ArmingChecks::check_motors(const LowState& state) noexcept {
   mode.passed = true;
   mode.limit = kModeServo;
   heat = {};
-  heat.value = -300.0;  // [deg C] below every temperature
+  heat.value = -300.0;  // [deg C] lower than any temperature
   for (int i = 0; i < kMotors; ++i) {
     const MotorState& motor = state.motorState[i];
     if (motor.mode != kModeServo && mode.passed) {
@@ -112,12 +114,12 @@ void ArmingChecks::check_motors(const LowState& state) noexcept {
 }
 
 void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
-  const std::array<float, 4> q = state.imu.quaternion;  // packed: copied
+  const std::array<float, 4> q = state.imu.quaternion;  // the field is packed, so it is copied
   const std::array<float, 3> w = state.imu.gyroscope, a = state.imu.accelerometer;
   const double share = started_ ? -std::expm1(-step / kSmoothing) : 1.0;
   started_ = true;
   const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
-  // Restart the filter after NaN, which it would otherwise keep.
+  // Restart the low-pass after a NaN, because it would keep the NaN for ever.
   const bool finite = gyro.allFinite() && accelerometer.allFinite();
   gyro_ = finite && gyro_.allFinite() ? Vector3(gyro_ + share * (gyro - gyro_)) : gyro;
   accelerometer_ = finite && accelerometer_.allFinite()

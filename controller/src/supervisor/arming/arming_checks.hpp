@@ -10,36 +10,39 @@ namespace surefoot {
 
 /// Limits of the arming checks.
 struct ArmingLimits {
-  double time = 1.0;  // [s] time for which all checks must pass; default as in SupervisorOptions
-  double temperature = 60.0;  // [deg C] motors must be cooler; default as in SupervisorOptions
-  // [rad] Distance that joints must keep from their limits; negative: tolerance beyond.
+  // [s] Time for which all checks must pass; same default as in SupervisorOptions.
+  double time = 1.0;
+  double temperature = 60.0;  // [deg C] motors must be cooler; same default as in SupervisorOptions
+  // [rad] Distance that joints must keep from their limits. Negative: joints may be outside by
+  // this.
   double joint_margin = 0.0;
-  double torque_share = 0.0;  // [tau_max] largest torque of the rise plan; must be below 1
+  // Largest holding torque of the rise plan, as a share of tau_max; must be below 1.
+  double torque_share = 0.0;
 };
 
-/// Write value and limit into a check; it passes if value < limit. NaN fails.
+/// Write value and limit into a check. The check passes if value < limit. A NaN value fails.
 inline void check_below(ArmingCheck& check, double value, double limit) noexcept {
   check.value = value;
   check.limit = limit;
   check.passed = value < limit;
 }
 
-/// Runs the arming checks on every LowState: link, motors, IMU, joints, feet, and faults that keep
-/// the robot down. The robot is ready once all checks have passed for ArmingLimits::time without a
-/// break. Real-time: yes, except the constructor.
+/// Runs the arming checks on every LowState. They check the link, motors, IMU, joints and feet, and
+/// whether a fault keeps the robot down. The robot is ready once all checks have passed for
+/// ArmingLimits::time without interruption. Real-time: all functions except the constructor.
 class ArmingChecks {
  public:
   ArmingChecks(const Robot& robot, const ArmingLimits& limits);
 
-  /// Judge a sample. @param step [s] since the previous sample
+  /// Check a sample. @param step [s] time since the previous sample
   void update(const LowState& state, double step) noexcept;
   /// Add the numbers of samples that the link has received and missed since the last call. From the
-  /// first call on, these counts replace those that update() derives from the step of the tick.
+  /// first call on, update() no longer derives these numbers from the steps of the tick.
   void add_link_counts(double received, double missing) noexcept;
   bool has_link_counts() const noexcept { return has_link_counts_; }
-  /// Count a call without a new sample, or with an impossible tick.
+  /// Count a call without a new sample, or with an implausible tick.
   void count_missed() noexcept;
-  /// Set the fault that keeps the robot down, or kNone. The next update() uses it for `ready`.
+  /// Set the fault that keeps the robot down, or kNone. The next update() takes it into account.
   void set_blocking_fault(FaultId why) noexcept;
   /// Restart the time for which all checks must pass.
   void clear_ready() noexcept { report_.passed_for = 0.0, report_.ready = false; }
@@ -60,7 +63,7 @@ class ArmingChecks {
   Robot robot_;
   ArmingLimits limits_;
   ArmingReport report_;
-  Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // low-pass filtered
+  Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // low-passed with kSmoothing
   bool started_ = false;
   double period_ = 0.0;                    // [s] estimated period of the samples, see count_link()
   double received_ = 0.0, missing_ = 0.0;  // numbers of samples, decaying with kWindow

@@ -9,15 +9,17 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand.
-// [m g] Error of the sum of foot forces from which the check fails. Must exceed sensor errors. Must
-// be small enough to notice that one foot of four is missing.
+// The constants are chosen by hand.
+//
+// [m g] Error of the sum of foot forces from which the check fails. Larger than sensor errors, and
+// small enough to show that one foot of four is missing.
 constexpr double kFootForceTolerance = 0.25;
-// [rad] 20 degrees: joint error from q_standing below which the robot counts as standing. Same as
-// kUprightTolerance in supervisor_modes.cpp.
+// [rad] 20 degrees: largest joint error from q_standing for which the robot counts as standing.
+// Same value as kUprightTolerance in supervisor_modes.cpp.
 constexpr double kStandingTolerance = 0.35;
-// [rad] Distance outside its range from which an angle cannot be that of its motor. Must exceed the
-// 0.15 that joint_margin allows for a folded calf. Test: failed_arming_checks_are_named.
+// [rad] An angle that is outside the range of its motor by this or more cannot be from that motor.
+// Larger than the 0.15 that joint_margin allows for a folded calf. Test:
+// failed_arming_checks_are_named.
 constexpr double kSwapMargin = 0.2;
 
 }  // namespace
@@ -25,23 +27,24 @@ constexpr double kSwapMargin = 0.2;
 void ArmingChecks::check_joints(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   ArmingCheck worst;
-  worst.value = -1e9;  // [rad] below every distance
+  worst.value = -1e9;  // [rad] lower than any distance
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
     const double outside = std::max(q - config.q_upper[i], config.q_lower[i] - q);
     if (outside <= worst.value) continue;
     worst.value = outside;
     worst.motor = i;
-    if (std::isnan(outside)) break;  // NaN is the worst
+    if (std::isnan(outside)) break;  // NaN counts as the worst
   }
   check_below(worst, worst.value, -limits_.joint_margin);
   at(ArmingCheckId::kJoints) = worst;
 }
 
-// Find a motor whose angle is outside its own range by more than joint_margin allows. The motor is
-// swapped with another motor of its leg if each of the two angles fits the range of the other
-// motor, within the same tolerance. Only motors with different ranges can be told apart, such as
-// calves. If no such partner exists, the check fails for a distance of kSwapMargin or more.
+// Find a motor whose angle is outside its own range by more than joint_margin allows. It is swapped
+// with another motor of its leg if the angle of each motor fits the range of the other motor,
+// within the same tolerance. The check can only distinguish motors with different ranges, for
+// example calves from thighs. If there is no such partner, the check fails for a distance of
+// kSwapMargin or more.
 void ArmingChecks::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {

@@ -11,9 +11,9 @@ namespace surefoot {
 
 /// Sequence lock: one thread writes a plain struct, any thread reads a consistent copy.
 ///
-/// The writer never waits. A reader repeats its read if the writer changed the value meanwhile.
-/// Source: H.-J. Boehm, "Can seqlocks get along with programming language memory models?", MSPC
-/// 2012, section 4.
+/// The writer never waits. A reader repeats its read if the writer has changed the value in the
+/// meantime. Source: H.-J. Boehm, "Can seqlocks get along with programming language memory
+/// models?", MSPC 2012, section 4.
 template <typename T>
 class Seqlock {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -22,7 +22,7 @@ class Seqlock {
  public:
   Seqlock() { write(T{}); }
 
-  /// Store a value; one thread only. Real-time: yes.
+  /// Store a value. Only one thread may call this. Real-time: yes.
   void write(const T& value) noexcept {
     std::array<std::uint64_t, kWords> words{};
     std::memcpy(words.data(), &value, sizeof(T));
@@ -33,7 +33,8 @@ class Seqlock {
     sequence_.store(sequence + 2, std::memory_order_release);
   }
 
-  /// Return a consistent copy; any thread. It loops while the writer is in the middle of a write.
+  /// Return a consistent copy. Any thread may call this. It repeats the read while a write is in
+  /// progress.
   T read() const noexcept {
     std::array<std::uint64_t, kWords> words;
     std::uint64_t before = 1, after = 0;

@@ -7,19 +7,19 @@ namespace surefoot {
 
 /// Measures how much a signal alternates from one sample to the next.
 ///
-/// The measure is the running mean of -d[k] d[k-1], where d[k] is the change at sample k. The mean
-/// is positive for an alternating signal, equal to the variance for white noise, negative for a
-/// smooth signal, and zero for isolated steps. Real-time: yes.
+/// The measure is the running mean of -d[k] d[k-1], where d[k] is the change of the signal at
+/// sample k. It is positive for an alternating signal, equal to the variance for white noise,
+/// negative for a smooth signal, and zero for isolated steps. Real-time: yes.
 class Alternation {
  public:
   /// Add a sample.
   /// @param share weight of this sample in the mean, 0 .. 1
-  /// @param min_change [unit of value] is_frequent() ignores smaller alternations
+  /// @param min_change [unit of value] is_frequent() does not count smaller alternations
   /// @return the mean [unit of value squared]
   double update(double value, double share, double min_change = 0.0) noexcept {
     const double change = started_ ? value - value_ : 0.0;
     const double product = -change * change_;
-    // Count only alternations as large as the mean, not the noise between them.
+    // Count only alternations that are about as large as the mean, not the noise between them.
     const bool counts = product > std::max(0.5 * mean_, min_change * min_change);
     frequency_ += share * ((counts ? 1.0 : 0.0) - frequency_);
     mean_ += share * (product - mean_);
@@ -29,12 +29,12 @@ class Alternation {
     return mean_;
   }
 
-  /// Return whether more than three samples in ten alternate. A wrong sample also goes up and back:
-  /// one in ten must not be enough, one in three must be. Chosen; test:
+  /// Return whether more than 30 % of the samples alternate. A single wrong sample also goes up and
+  /// back, so one wrong sample in ten must not be enough, but one in three must be. Chosen; test:
   /// one_wrong_sample_in_ten_is_not_frequent.
   bool is_frequent() const noexcept { return frequency_ > 0.3; }
 
-  /// Start again: the next sample is not compared with the last one.
+  /// Start again, so that the next sample is not compared with the last sample.
   void interrupt() noexcept {
     started_ = false;
     change_ = 0.0;

@@ -6,27 +6,28 @@
 
 namespace surefoot {
 
-/// Detects encoders of a leg that have stopped.
+/// Detects legs whose encoders have stopped.
 ///
-/// It is a fault if the angles and velocities of a leg repeat bit for bit, although the repeated
-/// velocity of one joint means motion and the samples of another leg change. Two cases are no
-/// fault: a leg at rest may repeat its values, and all legs repeat together if the robot measures
-/// joints less often than it sends samples. Real-time: yes.
+/// The encoders of a leg have stopped if its angles and velocities repeat bit for bit, although a
+/// repeated velocity means motion and the samples of another leg change. Two cases are no fault: a
+/// leg at rest may repeat its values; and all legs repeat together if the robot measures its joints
+/// less often than it sends samples. Real-time: yes.
 class EncoderMonitor {
  public:
-  // Chosen by hand; tests: stopped_encoders_are_detected_within_60_ms,
+  // The constants are chosen by hand. Tests: stopped_encoders_are_detected_within_60_ms,
   // moving_resting_or_slow_joints_are_not_dead_encoders.
-  /// [rad/s] Velocity below which a joint may be at rest: twice 0.05 rad/s, the noise of encoders.
+  /// [rad/s] Velocity below which a joint may be at rest: twice the noise of encoders, 0.05 rad/s.
   static constexpr double kMinSpeed = 0.1;
-  /// [rad] Displacement by the repeated velocity from which this is a fault: 50 ms at 0.2 rad/s.
-  /// The 60 ms of fault_table() apply from this velocity on.
+  /// [rad] Displacement, by the repeated velocity, from which the repetition is a fault: 50 ms at
+  /// 0.2 rad/s. So the 60 ms of fault_table() are valid from this velocity on.
   static constexpr double kMinTravel = 0.01;
-  /// Number of samples in which another leg must have changed: 10 ms at 500 Hz. Must exceed the
-  /// number of repeats by chance.
+  /// Number of samples in which another leg must have changed: 10 ms at 500 Hz. Larger than the
+  /// number of repetitions by chance.
   static constexpr int kMinSamples = 5;
 
-  /// Judge a sample.
-  /// @param step [s] since the previous sample @param lost_leg leg that is not judged, or -1
+  /// Process a sample.
+  /// @param step [s] time since the previous sample
+  /// @param lost_leg leg that is not checked, or -1
   void update(const LowState& state, double step, int lost_leg) noexcept {
     motor_ = -1;
     std::array<bool, kLegs> unchanged{};
@@ -46,14 +47,15 @@ class EncoderMonitor {
       if (motor_ < 0 && leg != lost_leg) motor_ = kLegJoints * leg + fastest(record.dq);
     }
   }
-  /// Return the SDK number of the fastest motor of a leg whose encoders have stopped, or -1.
+  /// Return the SDK number of the fastest motor in the first leg whose encoders have stopped,
+  /// or -1.
   int motor() const noexcept { return motor_; }
 
  private:
   struct Leg {
-    Vector3 q = Vector3::Constant(NAN), dq = Vector3::Zero();  // [rad], [rad/s] in the last sample
-    double time = 0.0;      // [s] for which q and dq have repeated
-    int other_changes = 0;  // number of samples in this time in which another leg changed
+    Vector3 q = Vector3::Constant(NAN), dq = Vector3::Zero();  // [rad], [rad/s] last sample
+    double time = 0.0;      // [s] time for which q and dq have repeated
+    int other_changes = 0;  // number of samples within `time` in which another leg changed
   };
 
   static int fastest(const Vector3& dq) noexcept {

@@ -5,13 +5,13 @@ namespace surefoot {
 
 namespace {
 
-// [s] Times for which a finding must last before it is a fault. Chosen by hand. Each must be below
-// the detection time of its fault in fault_table(), which is given first.
-constexpr double kGyroscopeTime = 0.05;  // 1 s; meanwhile the legs give the attitude rate
-constexpr double kSensorTime = 0.02;     // 0.1 s or more; every other sensor
-constexpr double kSlipTime = 0.02;       // 0.1 s; must exceed single wrong ticks
-constexpr double kLiftedTime = 0.05;     // 0.1 s; must exceed impacts that unload all feet
-constexpr double kPayloadTime = 1.0;     // 2 s; must exceed pushes (0.5 s in the full scorecard)
+// [s] Times for which a finding must last before it is a fault. Chosen by hand. Each comment first
+// gives the detection time of the fault in fault_table(), which must be longer.
+constexpr double kGyroscopeTime = 0.05;  // 1 s; the legs give the attitude rate in the meantime
+constexpr double kSensorTime = 0.02;     // 0.1 s or more; all other sensors
+constexpr double kSlipTime = 0.02;       // 0.1 s; longer than single wrong ticks
+constexpr double kLiftedTime = 0.05;     // 0.1 s; longer than impacts that unload all feet
+constexpr double kPayloadTime = 1.0;     // 2 s; longer than pushes (0.5 s in the full scorecard)
 constexpr double kMinSlip = 0.5;         // EstimatorReport::slip above which a foot slips
 
 bool bad(SensorVerdict verdict) noexcept {
@@ -26,7 +26,8 @@ bool foot_force_bad(const EstimatorReport& report) noexcept {
       zero += verdict == SensorVerdict::kZero;
       wrong += bad(verdict);
     }
-    // Most robots lack one of these sources. A missing source reads zero on all feet: no fault.
+    // Most robots have only one of these sources. A missing source reads zero on all feet, which is
+    // no fault.
     if (wrong > 0 && zero < kLegs) return true;
   }
   return false;

@@ -9,29 +9,29 @@
 namespace surefoot {
 
 /// Turns the findings of a standing robot's estimator into faults: sensor verdicts, slip, contact
-/// and payload. A finding must last for a minimum time before it is a fault. Real-time: yes.
+/// and payload. Each finding must last for a minimum time before it is a fault. Real-time: yes.
 class EstimatorFaults {
  public:
-  /// @param payload_limit [kg] largest payload that is no fault
+  /// @param payload_limit [kg] a larger payload is a fault
   explicit EstimatorFaults(double payload_limit) : payload_limit_(payload_limit) {}
 
-  /// Judge the report of a standing robot's estimator.
-  /// @param dt [s] since the last call
-  /// @param log receives kFootForce, kSlip, kLifted and kPayload; the accessors below return the
-  /// verdicts on the IMU
+  /// Evaluate the report of a standing robot's estimator.
+  /// @param dt [s] time since the last call
+  /// @param log receives kFootForce, kSlip, kLifted and kPayload. The functions below return the
+  ///   findings on the IMU
   void update(const EstimatorReport& report, const RobotState& state, double dt,
               FaultLog& log) noexcept;
-  /// Forget all findings while no estimator runs.
-  /// @param sitting keep the faults that make the robot sit down, because without an estimator
-  /// nothing shows that they have ended
+  /// Clear all findings, because no estimator runs.
+  /// @param sitting true: keep the faults that make the robot sit down, because without an
+  ///   estimator nothing shows that they have ended
   void reset(bool sitting, FaultLog& log) noexcept;
 
-  /// Return whether the estimator found this sensor faulty. ImuMonitor judges the IMU too, in every
-  /// mode.
+  /// Return whether the estimator has found this sensor faulty. ImuMonitor also checks the IMU, in
+  /// every mode.
   bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
   bool accelerometer_bad() const noexcept { return accelerometer_bad_; }
   bool quaternion_bad() const noexcept { return quaternion_bad_; }
-  /// Return whether the estimator found a fault that makes the robot sit down.
+  /// Return whether the estimator has found a fault that makes the robot sit down.
   bool must_sit_down() const noexcept { return gyroscope_bad_ || overloaded_; }
 
  private:

@@ -5,14 +5,14 @@
 
 namespace surefoot {
 
-/// Keeps the FaultReport: active faults, how often each began, and at which motor.
-/// Real-time: yes.
+/// Keeps the FaultReport: which faults are active, how often each fault has begun, and at which
+/// motor. Real-time: yes.
 class FaultLog {
  public:
   FaultLog() { report_.motor.fill(-1); }
 
-  /// Set whether a fault is present; count it when it begins.
-  /// @param motor SDK number if the fault concerns one motor, else -1
+  /// Set whether a fault is present. The fault is counted when it begins.
+  /// @param motor SDK number if the fault concerns one motor, otherwise -1
   void set(FaultId id, bool present, int motor = -1) noexcept {
     const int k = static_cast<int>(id);
     if (present && !report_.active[k]) {

@@ -10,40 +10,41 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. The rows imu_bias, imu_dropout, attitude_jump and duplicate_data of `surefoot
-// faults` bracket the values: "passes" and "is a fault" refer to these rows.
-// benchmarks/false_trips.py checks that healthy robots pass.
-// [rad] Angle between attitude and integrated gyroscope above which the attitude has jumped. Must
-// be below the jump of 10 degrees (0.17 rad) of the row.
+// The constants are chosen by hand. The rows imu_bias, imu_dropout, attitude_jump and
+// duplicate_data of `surefoot faults` bracket the values. "Passes" and "is a fault" refer to these
+// rows. benchmarks/false_trips.py checks that healthy robots pass.
+//
+// [rad] Angle between attitude and integrated gyroscope above which the attitude has jumped.
+// Smaller than the jump of 10 degrees (0.17 rad) in the row attitude_jump.
 constexpr double kMaxAttitudeJump = 0.1;
-// [s] Delay of the attitude that passes. This time multiplied by the rate is added to
+// [s] Largest delay of the attitude that passes. It is multiplied by the rate and added to
 // kMaxAttitudeJump.
 constexpr double kAttitudeDelay = 0.02;
-// [s] Time of rejection after which any attitude is accepted.
+// [s] Any attitude is accepted after attitudes have been rejected for this time.
 constexpr double kReacceptTime = 0.5;
-// [rad/s] Change of the gyroscope between two samples above which it has jumped: an offset of 2.5
-// passes, noise of up to 10 is a fault.
+// [rad/s] Change of the gyroscope between two samples above which the gyroscope has jumped: an
+// offset of 2.5 passes, noise of up to 10 is a fault.
 constexpr double kMaxRateJump = 3.0;
-// [s] Time for which a signal must be bad before this is a fault. Must exceed 18 ms, for which an
-// IMU that is read at 50 Hz repeats its values.
+// [s] Time for which a signal must be bad before it is a fault. Longer than 18 ms, for which an IMU
+// that is read at 50 Hz repeats its values.
 constexpr double kHeldTime = 0.05;
 // [rad/s] Mean difference between gyroscope and rate of the attitude above which the gyroscope is
 // wrong: 0.02 passes, 0.1 is a fault within 1 s.
 constexpr double kMaxRateError = 0.08;
-// [rad/s] Clamp of one sample's difference: ten times kMaxRateError. So 10 ms of outliers move the
-// mean by only 0.8 (10 ms / kRateErrorTime) = 0.016.
+// [rad/s] Limit of the difference in one sample: ten times kMaxRateError. So 10 ms of outliers
+// change the mean by only 0.8 (10 ms / kRateErrorTime) = 0.016.
 constexpr double kRateErrorClamp = 0.8;
-// [mean rate] Tolerance for an error of the gyroscope's scale, added to kMaxRateError. Must be
-// large enough for a healthy b1 that rolls over while its legs fold.
+// Tolerance for an error of the gyroscope's scale, as a share of the mean rate, added to
+// kMaxRateError. Large enough for a healthy b1 that rolls over while its legs fold.
 constexpr double kScaleErrorShare = 0.05;
-// [s] Time constant of the mean difference. Must exceed pushes (0.1 s), which disturb the attitude
-// filter. Must be below the 1 s within which the fault must be found.
+// [s] Time constant of the mean difference. Longer than pushes (0.1 s), which disturb the attitude
+// filter. Shorter than 1 s, within which the fault must be found.
 constexpr double kRateErrorTime = 0.5;
 
 }  // namespace
 
 void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept {
-  const std::array<float, 4> q = imu.quaternion;  // packed: copied
+  const std::array<float, 4> q = imu.quaternion;  // the field is packed, so it is copied
   const std::array<float, 3> rates = imu.gyroscope;
   const Vector3 w(rates[0], rates[1], rates[2]);
   rates_plausible_ = !started_ || (w - w_last_).norm() < kMaxRateJump;
@@ -55,7 +56,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
   if (attitude_plausible_) {
     const Quaternion attitude = Quaternion(q[0], q[1], q[2], q[3]).normalized();
     const Eigen::AngleAxisd turned(last_attitude_.conjugate() * attitude);
-    // The rate of the attitude needs two plausible attitudes; across a jump it means nothing.
+    // The rate of the attitude needs two plausible attitudes; across a jump it has no meaning.
     const bool timed = started_ && before && step > 0.0;
     const Vector3 w_attitude = timed ? Vector3(turned.angle() / step * turned.axis()) : w;
     last_attitude_ = attitude;
@@ -63,7 +64,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
         !started_ || rejected_time_ >= kReacceptTime || is_consistent(attitude, w);
     if (attitude_plausible_) {
       const double blend = -std::expm1(-step / kRateErrorTime);
-      const Vector3 rate_error = w - w_attitude;  // 1e-9 below avoids division by zero
+      const Vector3 rate_error = w - w_attitude;  // 1e-9 below avoids a division by zero
       rate_error_ +=
           blend *
           (rate_error * std::min(1.0, kRateErrorClamp / (rate_error.norm() + 1e-9)) - rate_error_);
@@ -85,7 +86,7 @@ bool ImuMonitor::is_consistent(const Quaternion& attitude, const Vector3& w) con
 
 void ImuMonitor::judge_rates(const Vector3& w, double step, bool changed,
                              double max_error) noexcept {
-  // If the whole sample repeats, the repeated gyroscope value is no evidence against the gyroscope.
+  // If the whole sample repeats, the gyroscope has no fault, so the time is not counted.
   const bool held = gyroscope_held_.update(w == w_last_, changed ? step : 0.0, kHeldTime);
   const bool clipped =
       gyroscope_clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kHeldTime);

@@ -10,25 +10,25 @@ namespace surefoot {
 /// Compares the IMU's attitude with its gyroscope, in every mode.
 ///
 /// The gyroscope propagates the last accepted attitude. An attitude that jumps away from the
-/// propagated one is not plausible; after 0.5 s of such attitudes, a new one is accepted. A
-/// gyroscope that drifts shows in the mean difference between its rate and the rate of the
-/// attitude. A sensor that has stopped shows in values that repeat or clip. Real-time: yes.
+/// propagated attitude is not plausible. After 0.5 s of such attitudes, a new attitude is accepted.
+/// A gyroscope drift shows in the mean difference between the gyroscope and the rate of the
+/// attitude. A stopped sensor shows in values that repeat or are clipped. Real-time: yes.
 class ImuMonitor {
  public:
-  /// Judge the IMU of a sample.
-  /// @param step [s] since the last update
-  /// @param changed whether any IMU or joint value differs from the previous sample
-  /// @param may_turn_fast whether the body may turn fast for longer than a push lasts; the
-  /// tolerance then covers an error of the gyroscope's scale
+  /// Check the IMU of a sample.
+  /// @param step [s] time since the last update
+  /// @param changed true if any IMU or joint value differs from the previous sample
+  /// @param may_turn_fast true if the body may turn fast for longer than a push lasts; the
+  ///   tolerance then also covers an error of the gyroscope's scale
   void update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept;
-  /// Return whether the rates of the last sample are usable. Not usable: they changed more since
-  /// the previous sample than those of a body can.
+  /// Return whether the rates of the last sample are usable. They are not if they have changed more
+  /// since the previous sample than the rates of a body can.
   bool rates_plausible() const noexcept { return rates_plausible_; }
-  /// Return whether the attitude of the last sample is usable. Not usable: its length is not 1, or
-  /// it jumped away from the integrated gyroscope.
+  /// Return whether the attitude of the last sample is usable. It is not if its norm is not 1, or
+  /// if it has jumped away from the integrated gyroscope.
   bool attitude_plausible() const noexcept { return attitude_plausible_; }
-  /// Return whether for 50 ms the gyroscope has repeated its values, clipped, or disagreed with the
-  /// attitude.
+  /// Return whether the gyroscope has, for 50 ms, repeated its values, been clipped, or
+  /// contradicted the attitude.
   bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
   /// Return whether the accelerometer has repeated its values for 50 ms.
   bool accelerometer_bad() const noexcept { return accelerometer_bad_; }
@@ -38,15 +38,17 @@ class ImuMonitor {
   void judge_accelerometer(const Vector3& a, double step, bool changed) noexcept;
   bool is_consistent(const Quaternion& attitude, const Vector3& w) const noexcept;
 
-  Quaternion R_ = Quaternion::Identity();              // IMU to world, propagated by the gyroscope
-  Quaternion last_attitude_ = Quaternion::Identity();  // IMU to world, last measured
-  Vector3 w_last_ = Vector3::Zero();                   // [rad/s] gyroscope of the last sample
+  // Attitude of the IMU in the world, propagated by the gyroscope.
+  Quaternion R_ = Quaternion::Identity();
+  // Attitude of the IMU in the world, last measured.
+  Quaternion last_attitude_ = Quaternion::Identity();
+  Vector3 w_last_ = Vector3::Zero();      // [rad/s] gyroscope in the last sample
   Vector3 rate_error_ = Vector3::Zero();  // [rad/s] mean of gyroscope minus rate of the attitude
   double mean_rate_ = 0.0;                // [rad/s] mean magnitude of the gyroscope
-  double rejected_time_ = 0.0;            // [s] since the last accepted attitude
+  double rejected_time_ = 0.0;            // [s] time since the last accepted attitude
   bool started_ = false, gyroscope_bad_ = false, rates_plausible_ = true,
        attitude_plausible_ = true;
-  Vector3 a_last_ = Vector3::Zero();  // [m/s^2] accelerometer of the last sample
+  Vector3 a_last_ = Vector3::Zero();  // [m/s^2] accelerometer in the last sample
   bool accelerometer_bad_ = false;
   Debounce gyroscope_held_, gyroscope_clipped_, rate_inconsistent_, accelerometer_held_;
 };

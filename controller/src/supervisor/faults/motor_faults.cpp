@@ -10,42 +10,45 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. The rows tau_mismatch, motor_dead, two_controllers and over_temperature of
-// `surefoot faults` bracket the values. benchmarks/false_trips.py checks that healthy robots pass.
-// Numbers of consecutive bad samples before this is a fault. Must exceed one wrong sample. Must fit
-// into 3 periods, the 6 ms of fault_table().
+// The constants are chosen by hand. The rows tau_mismatch, motor_dead, two_controllers and
+// over_temperature of `surefoot faults` bracket the values. benchmarks/false_trips.py checks that
+// healthy robots pass.
+//
+// Numbers of consecutive bad samples from which there is a fault. More than one wrong sample, and
+// at most 3 periods, the 6 ms of fault_table().
 constexpr int kBadModes = 2;
 constexpr int kBadAngles = 3;
-// [s] Time constant of the mean torques. Must exceed a motor's delay (two periods) and lag (2 ms).
-// Must be below the 0.15 s of fault_table().
+// [s] Time constant of the mean torques. Longer than a motor's delay (two periods) and lag (2 ms).
+// Shorter than the 0.15 s of fault_table().
 constexpr double kTorqueTime = 0.03;
-// Tolerance of a torque error: kTorqueOff [tau_max] plus kTorqueOffShare [command]. Must exceed
-// torque errors of 5 %, 20 ms of delay, and tauEst 0 in one sample of ten. Must be below the error
+// Tolerance of a torque error: kTorqueOff tau_max + kTorqueOffShare |command|. Larger than torque
+// errors of 5 %, a delay of 20 ms, and a tauEst of 0 in one sample of ten. Smaller than the error
 // of a dead motor.
 constexpr double kTorqueOff = 0.12;
 constexpr double kTorqueOffShare = 0.4;
-constexpr double kErrorClamp = 2.0;  // [tolerance] clamp of one sample's error
-// A motor is idle if its torque is below kIdleTorqueShare [command] and the command exceeds
-// kMinCommandShare [tau_max]. A motor that is idle in kMinIdleShare of the samples is weak. This
+// Limit of the error in one sample, as a multiple of the tolerance.
+constexpr double kErrorClamp = 2.0;
+// A motor is idle if its torque is below kIdleTorqueShare of the command, and the command is above
+// kMinCommandShare of tau_max. A motor that is idle in kMinIdleShare of the samples is weak. This
 // finds a dead motor that still reports servo mode, see docs/faults.md.
 constexpr double kIdleTorqueShare = 0.3;
 constexpr double kMinCommandShare = 0.05;
 constexpr double kMinIdleShare = 0.8;
-// [s] Time for which a motor must deviate before it is weak. Must exceed impacts. Must be below the
+// [s] Time for which a motor must deviate before it is weak. Longer than impacts. Shorter than the
 // 0.15 s of fault_table().
 constexpr double kWeakTime = 0.05;
-// Alternations of the measured torque count above kMinAlternation [tau_max] and above
-// kAlternationRatio [alternation of the commands]. Must exceed noise and one wrong sample. Must be
-// below the alternation that two programs in turn cause.
+// Alternations of the measured torque count if they are above kMinAlternation tau_max and above
+// kAlternationRatio times the alternation of the commands. Larger than noise and one wrong sample.
+// Smaller than the alternation caused by two programs that command alternately.
 constexpr double kMinAlternation = 0.03;
 constexpr double kAlternationRatio = 4.0;
-// [s] Time constant of the alternations. Must be below the 0.2 s of fault_table().
+// [s] Time constant of the alternations. Shorter than the 0.2 s of fault_table().
 constexpr double kAlternationTime = 0.05;
-// [s] Time constant of the mean temperatures. Must be long enough that 120 deg C in one sample of
-// 25 is no fault.
+// [s] Time constant of the mean temperatures. So long that 120 deg C in one sample of 25 is no
+// fault.
 constexpr double kTemperatureTime = 0.5;
-// [s] Time above temperature_stop before the robot sits down. The sum with kTemperatureTime must be
-// below the 2 s of fault_table().
+// [s] Time above temperature_stop after which the robot sits down. Its sum with kTemperatureTime is
+// shorter than the 2 s of fault_table().
 constexpr double kOverheatedTime = 0.5;
 
 bool is_idle(double commanded, double measured, double tau_max) noexcept {
@@ -93,8 +96,8 @@ void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log
   log.set(FaultId::kMotorMode, bad_modes_ >= kBadModes, bad);
 }
 
-// Commands and measurements pass the same filter. Its time constant is so long that a motor's delay
-// and lag cause a smaller error than a dead motor.
+// Commands and measurements pass the same low-pass. Its time constant is so long that a motor's
+// delay and lag cause a smaller error than a dead motor.
 void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
                                 FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
@@ -105,11 +108,11 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
     expected_[i] += share * (commanded_[i] - expected_[i]);
     const double tau_est = state.motorState[i].tauEst, tau_max = robot_.config().tau_max[i];
     const double allowed = kTorqueOff * tau_max + kTorqueOffShare * std::abs(expected_[i]);
-    // The clamp keeps a few wrong samples from dominating the mean.
+    // The limit prevents a few wrong samples from dominating the mean.
     const double off_by =
         std::clamp(tau_est - expected_[i], -kErrorClamp * allowed, kErrorClamp * allowed);
     measured_[i] += share * (expected_[i] + off_by - measured_[i]);
-    // In a lightly loaded leg the error of a dead motor is within the tolerance, so idle samples
+    // In a lightly loaded leg the error of a dead motor is within the tolerance. So idle samples
     // count too.
     idle_share_[i] += share * (is_idle(expected_[i], tau_est, tau_max) - idle_share_[i]);
     const bool off =
@@ -123,8 +126,8 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
   log.set(FaultId::kMotorWeak, legs == 1, weak);
 }
 
-// Two programs that command in turn make the torques alternate; the mean torques do not show this.
-// A motor's delay and lag cannot make the torques alternate more than the commands.
+// Two programs that command alternately make the torques alternate; the mean torques do not show
+// this. A motor's delay and lag cannot make the torques alternate more than the commands.
 int MotorFaults::count_alternating_legs(const LowState& state, double dt, int lost_leg) noexcept {
   const double share = -std::expm1(-dt / kAlternationTime);
   int legs = 0, last_leg = -1;

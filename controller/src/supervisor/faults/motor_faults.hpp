@@ -8,18 +8,19 @@
 
 namespace surefoot {
 
-/// Detects motor faults from the motors' own measurements: mode, torque against the last command,
-/// temperature and angle.
+/// Detects motor faults from the motors' own measurements: mode, torque (compared with the last
+/// command), temperature and angle.
 ///
-/// Commanded and measured torques pass the same filter. A motor is weak (kMotorWeak) if for 50 ms
-/// its mean torque is outside the tolerance or it is idle. If motors of several legs are weak, or
-/// torques of several legs alternate, another program commands the robot (kOverridden). Real-time:
-/// yes.
+/// Commanded and measured torques pass the same low-pass. A motor is weak (kMotorWeak) if for 50 ms
+/// it is idle or its mean torque is outside the tolerance. If motors of several legs are weak, or
+/// torques of several legs alternate, another program also commands the robot (kOverridden).
+/// Real-time: yes.
 class MotorFaults {
  public:
-  /// @param warning [deg C] temperature from which torques are derated
+  /// @param warning [deg C] temperature above which torques are reduced
   /// @param stop [deg C] temperature from which the robot sits down
-  /// @param joint_margin [rad] kept from the joint limits; negative: tolerance beyond them
+  /// @param joint_margin [rad] distance to keep from the joint limits; negative: joints may be
+  ///   outside by this
   MotorFaults(const Robot& robot, double warning, double stop, double joint_margin)
       : robot_(robot),
         safety_(robot),
@@ -27,16 +28,16 @@ class MotorFaults {
         temperature_stop_(stop),
         joint_margin_(joint_margin) {}
 
-  /// Judge a sample.
-  /// @param dt [s] since the last call
-  /// @param lost_leg leg of which only temperatures are judged, or -1
+  /// Check a sample.
+  /// @param dt [s] time since the last call
+  /// @param lost_leg leg whose motors are checked only for temperature, or -1
   /// @param log receives the faults
   void update(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept;
-  /// Record the command just sent; later torque measurements are compared with it.
+  /// Record the command that was sent. Later torque measurements are compared with this command.
   /// @param state sample for which the command was computed; its dq gives the damping torque
   void record_command(const LowCmd& command, const LowState& state) noexcept;
-  /// Exclude the next sample from the alternation measures, because the command just sent was not
-  /// passed to record_command().
+  /// Exclude the next sample from the alternation measures. Call this if the command that was sent
+  /// was not passed to record_command().
   void skip_command() noexcept {
     for (int i = 0; i < kMotors; ++i)
       commanded_alternation_[i].interrupt(), measured_alternation_[i].interrupt();
@@ -44,12 +45,12 @@ class MotorFaults {
   /// Return the share of each motor's torque limit that is allowed at its temperature, kLeastShare
   /// .. 1, SDK motor order.
   const Vector12& torque_share() const noexcept { return torque_share_; }
-  /// Forget torques and counts, but not temperatures.
+  /// Clear torques and counts, but not temperatures.
   void reset() noexcept;
 
-  /// Share of the torque limits that is left at temperature_stop. Chosen. Must be below 1, so that
-  /// motors cool. Must exceed `RisePlan::torque_share`, so that the robot can hold itself while it
-  /// sits down.
+  /// Share of the torque limits that remains at temperature_stop. Chosen below 1, so that motors
+  /// cool, and above `RisePlan::torque_share`, so that the robot can hold itself while it sits
+  /// down.
   static constexpr double kLeastShare = 0.5;
 
  private:
@@ -63,11 +64,11 @@ class MotorFaults {
   Safety safety_;  // for position_protect()
   double temperature_warning_, temperature_stop_, joint_margin_;
   Vector12 commanded_ = Vector12::Zero();   // [N.m] torques of the last command, damping included
-  Vector12 expected_ = Vector12::Zero();    // [N.m] commanded_, low-pass filtered
-  Vector12 measured_ = Vector12::Zero();    // [N.m] tauEst, low-pass filtered
-  Vector12 idle_share_ = Vector12::Zero();  // share of samples in which a motor was idle
+  Vector12 expected_ = Vector12::Zero();    // [N.m] commanded_, low-passed
+  Vector12 measured_ = Vector12::Zero();    // [N.m] tauEst, low-passed
+  Vector12 idle_share_ = Vector12::Zero();  // share of samples in which each motor was idle
   std::array<Alternation, kMotors> commanded_alternation_, measured_alternation_;
-  Vector12 temperature_ = Vector12::Zero();  // [deg C] low-pass filtered
+  Vector12 temperature_ = Vector12::Zero();  // [deg C] low-passed
   Vector12 torque_share_ = Vector12::Ones();
   std::array<Debounce, kMotors> deviating_;
   Debounce overheated_;

@@ -6,16 +6,16 @@
 
 namespace surefoot {
 
-/// Detects samples whose IMU and joint values repeat while the tick advances. The link then works,
-/// but the sensor board has stopped. Real-time: yes.
+/// Detects samples whose IMU and joint values repeat while the tick advances. In this case the link
+/// works, but the sensor board has stopped. Real-time: yes.
 class RepeatedSample {
  public:
   /// [s] Time for which values may repeat before they are too old. Derived: robots that measure at
-  /// 50 Hz repeat values for 18 ms at 500 Hz, and the last good command may be repeated for another
-  /// kHoldTime = 10 ms.
+  /// 50 Hz repeat values for 18 ms at 500 Hz, and the last good command may be repeated for
+  /// kHoldTime = 10 ms more.
   static constexpr double kMaxAge = 0.010;
 
-  /// Compare a sample with the previous one. @param step [s] between them
+  /// Compare a sample with the previous sample. @param step [s] time between the two samples
   void update(const LowState& state, double step) noexcept {
     Values values;
     const IMU& imu = state.imu;
@@ -28,19 +28,20 @@ class RepeatedSample {
     repeat_time_ = values == last_values_ ? repeat_time_ + step : 0.0;
     last_values_ = values;
   }
-  /// Return whether the values of the last sample are too old to act upon; 1e-9 s is for rounding.
+  /// Return whether the values of the last sample are too old to act upon. The 1e-9 s allow for
+  /// rounding.
   bool too_old() const noexcept { return repeat_time_ >= kMaxAge - 1e-9; }
-  /// Return whether the sensors have stopped: the values have repeated for longer than at 50 Hz,
-  /// the lowest rate of a robot.
+  /// Return whether the sensors have stopped: the values have repeated for longer than a robot at
+  /// 50 Hz repeats them, which is the lowest measurement rate of a robot.
   bool stopped() const noexcept { return repeat_time_ >= kStopped; }
-  /// Return whether the last sample had the same values as the one before.
+  /// Return whether the last sample had the same values as the sample before it.
   bool repeats() const noexcept { return repeat_time_ > 0.0; }
 
  private:
   static constexpr double kStopped = 0.022;  // [s] derived: one period at 50 Hz plus one at 500 Hz
   using Values = Eigen::Matrix<float, 42, 1>;
   Values last_values_ = Values::Constant(NAN);
-  double repeat_time_ = 0.0;  // [s] for which the values have repeated
+  double repeat_time_ = 0.0;  // [s] time for which the values have repeated
 };
 
 }  // namespace surefoot

@@ -13,30 +13,32 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand, so that the power protection does not trip. Measured with these values: 93 W at
-// most at level 1 (100 W) in benchmarks/get_up.py; no trip in benchmarks/false_trips.py. Tests:
-// test_joint_impedance.cpp.
-// [rad] Largest spring deflection. Larger than LegFolding's lead (0.4). If larger: a released leg
-// takes more power.
+// The constants are chosen by hand, so that the power protection does not trip. Measured with these
+// values: at most 93 W at level 1 (100 W) in benchmarks/get_up.py; no trip in
+// benchmarks/false_trips.py. Tests: test_joint_impedance.cpp.
+//
+// [rad] Largest deflection of a spring. Larger than LegFolding's lead (0.4). If larger: a released
+// leg takes more power.
 constexpr double kMaxDeflection = 0.45;
-constexpr double kTorqueShare = 0.9;  // [tau_max] largest torque: a margin
-// [tau_max] Largest torque for holding; the rest is for lifting.
+constexpr double kTorqueShare = 0.9;  // largest torque, as a share of tau_max; the rest is a margin
+// Largest torque for holding, as a share of tau_max. The rest is for lifting.
 constexpr double kLiftShare = 0.75;
-// [rad/s] Velocity ahead of its reference above which a joint's spring is weakened; the spring
-// torque is zero from kReleaseSpeedRange more on. Must exceed the velocity errors of normal
-// tracking. Must be below 9 rad/s, which legs that come free reach.
+// [rad/s] The spring of a joint is weakened if the joint moves ahead of its reference by more than
+// kReleaseSpeed. The spring torque is zero from kReleaseSpeed + kReleaseSpeedRange on. Larger than
+// the velocity errors of normal tracking. Smaller than 9 rad/s, which legs reach when they come
+// free.
 constexpr double kReleaseSpeed = 2.0;
 constexpr double kReleaseSpeedRange = 2.0;
-// [rad/s] Turn rates of the body between which the damping is reduced. Must exceed turn rates while
-// legs fold. Must be below 3 rad/s, at which bodies tip over a leg.
+// [rad/s] Turn rates of the body between which the damping is reduced. Larger than the turn rates
+// while legs fold. Smaller than 3 rad/s, at which bodies tip over a leg.
 constexpr double kFallRateStart = 0.6;
 constexpr double kFallRateEnd = 1.6;
-// [full damping] Smallest damping. Must be above 0, because damping absorbs the energy of a falling
-// body.
+// Smallest damping, as a share of the full damping. Above 0, because damping absorbs the energy of
+// a falling body.
 constexpr double kMinDampingShare = 0.25;
-// [s] Time constant of the damping: ten periods, so that the torque does not step.
+// [s] Time constant of the damping: ten periods at 500 Hz, so that torques do not jump.
 constexpr double kSmoothing = 0.02;
-// [m g] Load on the legs from which no leg can be caught on something.
+// [m g] With this load or more on the legs, no leg can be caught on something.
 constexpr double kLoadedShare = 0.1;
 }  // namespace
 
@@ -70,15 +72,15 @@ void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
   damping_ += dt / (dt + kSmoothing) * (desired - damping_);
 }
 
-// A released spring with torque tau takes the power (tau - D dq) dq. This power is largest at dq =
-// tau / (2 D), where it is tau^2 / (4 D). 1e-9 [W] avoids a division by zero.
+// A released spring of torque tau takes the power (tau - D dq) dq. This power is largest at dq =
+// tau / (2 D), where it is tau^2 / (4 D). The 1e-9 [W] avoid a division by zero.
 Vector12 JointImpedance::limit_released_power(const Vector12& pull) const noexcept {
   const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
   return pull * std::sqrt(std::min(1.0, power_limit_ / std::max(released, 1e-9)));
 }
 
-// Return the torques that hold the legs and the share `load` of the robot's weight [N.m]. Requires
-// dynamics_.update() for the present pose.
+// Return the torques that hold the legs and the share `load` of the robot's weight [N.m].
+// dynamics_.update() must have been called for the present pose.
 Vector12 JointImpedance::gravity_torques(double load) noexcept {
   state_.f_sustained = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
   return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
@@ -105,11 +107,11 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = gravity_torques(load);
   Vector12 pull = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
-  // The legs of a lying body may be caught on something. This includes the rear press, where `load`
-  // is 0.
+  // The legs of a lying body may be caught on something. This is also true in the rear press, where
+  // `load` is 0.
   const Vector12 freed = limit_released_power(pull);
   pull = freed + smoothstep(load / kLoadedShare) * (pull - freed);
-  // Weaken the spring of a leg that slips off an obstacle. If it ran away, it alone would take more
+  // Weaken the spring of a leg that slips off an obstacle. Otherwise this leg alone would take more
   // power than a rise.
   for (int i = 0; i < kMotors; ++i) {
     const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
@@ -120,14 +122,14 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   for (int i = 0; i < kMotors; ++i) {
     const double share = kTorqueShare * torque_share_[i], most = share * config.tau_max[i];
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], share);
-    // limit_power() moves torques towards `hold`. The clamp of `hold` does not depend on the
+    // limit_power() scales torques towards `hold`. The limit of `hold` does not depend on the
     // velocity, so that a wrong velocity in one sample does not drop the robot.
     hold[i] = std::clamp(hold[i], -most, most);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
   if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
   const double braking = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
-  // Counteract part of the motors' damping, so that the sum of torque and damping is closer to the
+  // Counteract a part of the motors' damping, so that torques plus damping are closer to the
   // holding torques.
   const Vector12 counter_torque = hold + (1.0 - braking) * damping_ * dq_;
   return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);

@@ -9,33 +9,34 @@
 
 namespace surefoot {
 
-/// Joint impedance of a robot that rises or sits: springs and dampers on top of gravity torques,
+/// Joint impedance of a robot that rises or sits: springs and dampers in addition to gravity
+/// torques,
 ///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref,   plus   -D dq   from the motors' damping.
-/// tau_hold needs only joint angles and the IMU's attitude.
+/// tau_hold depends only on joint angles and the IMU's attitude.
 ///
 /// Damping: the motor drivers compute it (Kd = D). When a leg slips off the ground, its spring
-/// accelerates it at once. Damping torques that are sent two or three ticks later would be too late
-/// for the power protection.
+/// accelerates the leg at once. Damping torques in a command would come two or three ticks later,
+/// too late for the power protection.
 ///
-/// Limits: spring deflection, torques and power are limited. If the damping alone takes more than
-/// the power limit, for example in a leg that comes free from under the body, the torques sent
-/// counteract part of the damping. When a body rolls off a leg, it drives the joints faster than
-/// torques can change. So the damping is reduced with the turn rate of the body (reduce_damping()),
-/// and the spring torques of lying legs are reduced with the damping (limit_released_power()).
-/// Real-time: yes.
+/// Limits: spring deflection, torques and power are limited. The damping alone may take more than
+/// the power limit, for example in a leg that comes free from under the body. Then the commanded
+/// torques counteract a part of the damping. A body that rolls off a leg drives the joints faster
+/// than torques can change. So the damping is reduced while the body turns fast (reduce_damping()),
+/// and the spring torques of lying legs are reduced together with the damping
+/// (limit_released_power()). Real-time: yes.
 class JointImpedance {
  public:
-  /// @param watts limit of sum |tau dq| [W]
+  /// @param watts limit of the power sum |tau dq| [W]
   JointImpedance(const Robot& robot, const RisePlan& plan, double watts);
 
   /// Read joints and attitude from a sample.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
-  /// Reduce the damping while the body turns fast; restore it while turn_rate is low.
-  /// @param turn_rate of the body [rad/s]
-  /// @param dt [s]
+  /// Reduce the damping while the body turns fast, and restore it when the body turns slowly.
+  /// @param turn_rate turn rate of the body [rad/s]
+  /// @param dt time since the last call [s]
   void reduce_damping(double turn_rate, double dt) noexcept;
-  double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
+  double damping() const noexcept { return damping_; }  ///< D, to be sent to the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
   /// Return the world's vertical in base axes, unit length.
   Vector3 up() const noexcept { return R_world_base_.conjugate() * Vector3::UnitZ(); }
@@ -43,24 +44,24 @@ class JointImpedance {
   /// Set the usable share of each motor's torque, 0 .. 1, SDK motor order.
   void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
 
-  /// Compute the torques to send with damping().
+  /// Compute the torques that are to be sent together with damping().
   /// @param load share of the robot's weight on the feet, 0 .. 1
   /// @return shape (12,), SDK motor order [N.m]
   Vector12 torques(const JointReference& reference, double load) noexcept;
-  /// Compute the torques that hold only the legs' own weight in the last pose read, shape (12,),
-  /// SDK motor order [N.m].
+  /// Compute the torques that hold only the weight of the legs in the last pose that was read,
+  /// shape (12,), SDK motor order [N.m].
   Vector12 leg_gravity_torques() noexcept;
-  /// Return whether the motors can hold the whole robot in the last pose read.
+  /// Return whether the motors can hold the whole robot in the last pose that was read.
   bool can_hold() noexcept;
-  /// Estimate the share of the robot's weight on the legs, about 0 .. 1. The measured torques are
-  /// projected onto the torques of a full load on four legs.
+  /// Estimate the share of the robot's weight on the legs, about 0 .. 1: project the measured
+  /// torques onto the torques of a full load on four legs.
   /// @param measured joint torques, SDK motor order [N.m]
   double load_share(const Vector12& measured) noexcept;
 
  private:
   Vector12 gravity_torques(double load) noexcept;
   /// Return the spring deflections [rad], scaled so that all springs together stay within the power
-  /// limit if they are released at once.
+  /// limit even if they are released at once.
   Vector12 limit_released_power(const Vector12& pull) const noexcept;
 
   Robot robot_;

@@ -10,18 +10,19 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. benchmarks/get_up.py covers these values; test_supervisor.cpp tests that the
-// motion is continuous.
-// [1/s^2] Acceleration of s: at most 2 m/s^2 of the body, far below friction.
+// The constants are chosen by hand. benchmarks/get_up.py covers them; test_supervisor.cpp tests
+// that the motion is continuous.
+//
+// [1/s^2] Acceleration of s: at most 2 m/s^2 of the body, far below the limit of friction.
 constexpr double kAcceleration = 2.0;
 // [1/s] Smallest rate near the goal, so that s arrives in finite time.
 constexpr double kMinRate = 0.01;
-constexpr double kLoadingRange = 0.25;  // [1] Range of s in which the legs take over the weight.
-// [s] Time in which the initial offset is faded out. Must be below 1.25 s, the shortest duration of
-// RisePlan's path.
+constexpr double kLoadingRange = 0.25;  // range of s in which the legs take over the weight
+// [s] Time over which the initial offset is faded out. Shorter than 1.25 s, the shortest duration
+// of RisePlan's path.
 constexpr double kFadeTime = 1.0;
-// [rad] Lag of a joint above which the motion waits. Must exceed the sag of the springs (3
-// degrees). Must be below kMaxDeflection of JointImpedance.
+// [rad] The motion waits if a joint lags behind by more than this. Larger than the sag of the
+// springs (3 degrees), and smaller than kMaxDeflection of JointImpedance.
 constexpr double kMaxLag = 0.35;
 
 }  // namespace
@@ -43,11 +44,11 @@ const JointReference& RiseMotion::step(const Vector12& measured, double dt) noex
   const bool lagging = (reference_.q - measured).cwiseAbs().maxCoeff() > kMaxLag;
   stalled_time_ = lagging && remaining != 0.0 ? stalled_time_ + dt : 0.0;
   // Limit the rate to the plan's rate, which limits power, and to the rate from which the motion
-  // can stop at the goal.
+  // can still stop at the goal.
   const double braking_rate = std::sqrt(kAcceleration * std::abs(remaining));
   double max_rate = std::max(std::min(plan_.rate_at(s_), braking_rate), kMinRate);
   if (lagging && remaining > 0.0)
-    max_rate = 0.0;  // the way down does not wait: no pose on it is safer than lying
+    max_rate = 0.0;  // the motion down does not wait: no pose on its path is safer than lying
   ds_ +=
       std::clamp(std::copysign(max_rate, remaining) - ds_, -kAcceleration * dt, kAcceleration * dt);
   time_ += dt;

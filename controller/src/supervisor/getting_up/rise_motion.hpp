@@ -7,18 +7,18 @@
 namespace surefoot {
 
 /// Moves the joint reference along the path of RisePlan, up or down. go_to() may reverse the motion
-/// anywhere.
+/// at any point.
 ///
 /// The rate ds/dt stays within the plan's limit and falls smoothly to zero at the goal. On the way
-/// up the motion waits for joints that lag behind. Real-time: yes.
+/// up, the motion waits for joints that lag behind. Real-time: yes.
 class RiseMotion {
  public:
   explicit RiseMotion(const RisePlan& plan) : plan_(plan) {}
 
-  /// Start at s with the given joint angles [rad]. Their offset from the path is faded out within a
+  /// Start at s with these joint angles [rad]. Their offset from the path is faded out within a
   /// second.
   void start(double s, const Vector12& joints) noexcept;
-  /// Set the goal, s = 0 .. 1.
+  /// Set the goal, 0 .. 1.
   void go_to(double s) noexcept {
     goal_ = s;
     stalled_time_ = 0.0;
@@ -42,9 +42,9 @@ class RiseMotion {
   JointReference reference_;
   Vector12 offset_ = Vector12::Zero();  // [rad] offset of the joints from the path at the start
   double goal_ = 0.0;
-  double s_ = 0.0, ds_ = 0.0;  // [1] path parameter, [1/s] its rate
-  double time_ = 0.0;          // [s] since the start
-  double stalled_time_ = 0.0;  // [s] for which joints have lagged behind
+  double s_ = 0.0, ds_ = 0.0;  // s_: path parameter; ds_: its rate [1/s]
+  double time_ = 0.0;          // [s] time since the start
+  double stalled_time_ = 0.0;  // [s] time for which joints have lagged behind
 };
 
 }  // namespace surefoot

@@ -12,21 +12,25 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. benchmarks/get_up.py covers these values: 1000 of 1000 dropped robots stand.
-// [rad] Distance kept from the joint limits. Must exceed the SDK's 0.087.
+// The constants are chosen by hand. benchmarks/get_up.py covers them: 1000 of 1000 dropped robots
+// stand.
+//
+// [rad] Distance kept from the joint limits. Larger than the SDK's 0.087.
 constexpr double kStopMargin = 0.1;
-// [standing foot depth] Foot depth of the folded pose: just above the ground when the body lies.
+// Foot depth of the folded pose, as a share of the standing foot depth: just above the ground when
+// the body lies.
 constexpr double kFoldedDepth = 0.14;
-// [hip range] Hip angle outward for folding; at larger angles the thigh touches the trunk.
+// Hip angle outward for folding, as a share of the hip's range. At larger angles the thigh touches
+// the trunk.
 constexpr double kHipOutwardShare = 0.6;
-// [rad] Largest hip angle outward for folding; needed for wide hip ranges (go1, go2: 1.05).
+// [rad] Largest hip angle outward for folding, for robots with wide hip ranges (go1, go2: 1.05).
 constexpr double kMaxHipOutward = 0.7;
-// [dq_max] Largest joint velocity; with these robots ds/dt reaches kMaxRate first.
+// Largest joint velocity, as a share of dq_max. The present robots reach kMaxRate first.
 constexpr double kSpeedShare = 0.3;
 // [1/s] Largest ds/dt. Slow on purpose: the path takes 1.25 s of a rise of 1.9 s (docs/faults.md).
 constexpr double kMaxRate = 0.8;
-// [1/rad] K / (m g times standing foot depth). If smaller: legs sag by more than 3 degrees. If
-// larger: freed legs take more power, which grows with K.
+// [1/rad] K divided by (m g times standing foot depth). If smaller: legs sag by more than
+// 3 degrees. If larger: released legs take more power, which grows with K.
 constexpr double kStiffness = 1.05;
 // [s] D / K. If smaller: springs are released too fast. If larger: delay and lag of the motors make
 // the joints unstable.
@@ -53,25 +57,25 @@ class LyingPose {
   RobotState state_;
 };
 
-// Return how far the foot is below the base [m].
+// Return the depth of the foot below the base [m].
 double foot_depth(LyingPose& pose, const Vector12& joints, int leg) {
   return -pose.at(joints).legs()[leg].p_world_contact.z();
 }
 
-// Set the leg's thigh and calf: calf as in the folded pose, foot straight below the hip.
+// Set thigh and calf of a leg: the calf as in the folded pose, the foot straight below the hip.
 void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
   joints[3 * leg + 2] = plan.folded[3 * leg + 2];
   joints[3 * leg + 1] = -0.5 * joints[3 * leg + 2];
 }
 
-// Set the leg's thigh and calf: bend the calf to near its stop, then find by bisection the thigh
-// angle behind the hip at which the foot is at `depth` [m]. 40 halvings of at most 4 rad leave
-// 4e-12 rad.
+// Set thigh and calf of a leg. Bend the calf to near its stop. Then find by bisection the thigh
+// angle, behind the hip, at which the foot is at `depth` [m]. 40 bisections of at most 4 rad leave
+// an error of 4e-12 rad.
 void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
   const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
   const bool negative = config.q_standing[calf] < 0.0;
   joints[calf] = negative ? config.q_lower[calf] + kStopMargin : config.q_upper[calf] - kStopMargin;
-  double low = -0.5 * joints[calf];  // the foot straight below the hip
+  double low = -0.5 * joints[calf];  // foot straight below the hip
   double high =
       negative ? config.q_upper[thigh] - kStopMargin : config.q_lower[thigh] + kStopMargin;
   for (int k = 0; k < 40; ++k) {
@@ -90,7 +94,7 @@ void plan_rates(const RobotConfig& config, LyingPose& pose, double watts, RisePl
           std::min(rate, kSpeedShare * config.dq_max[i] / std::max(std::abs(direction[i]), 1e-9));
       plan.torque_share = std::max(plan.torque_share, std::abs(tau[i]) / config.tau_max[i]);
     }
-    const double work = tau.cwiseProduct(direction).cwiseAbs().sum();  // [J] per unit of s
+    const double work = tau.cwiseProduct(direction).cwiseAbs().sum();  // [J] work per unit of s
     plan.rate[k] = std::min(rate, watts / work);
     plan.time += 1.0 / (plan.rate[k] * RisePlan::kSamples);
   }

@@ -18,22 +18,24 @@ namespace surefoot {
 /// path, and would tip forward with a load or on a downward slope. All legs move alike, so the
 /// distances between the feet stay constant and no foot slips.
 struct RisePlan {
-  static constexpr int kSamples = 65;    ///< number of samples of s: 64 equal steps
+  /// Number of samples of s, which have 64 equal steps between them.
+  static constexpr int kSamples = 65;
   Vector12 folded = Vector12::Zero();    ///< [rad] s = 0: feet just above the ground
-  Vector12 crouched = Vector12::Zero();  ///< [rad] pose that the path bends towards
+  Vector12 crouched = Vector12::Zero();  ///< [rad] pose towards which the path bends
   Vector12 standing = Vector12::Zero();  ///< [rad] s = 1: the standing pose
   /// [rad] Hip angles turned outward for folding; other joints 0.
   Vector12 hip_outward = Vector12::Zero();
-  Vector12 hip_outward_max = Vector12::Zero();  ///< [rad] hip angles fully outward; other joints 0
-  Vector12 lower = Vector12::Zero();            ///< [rad] lower joint limits plus a margin
-  Vector12 upper = Vector12::Zero();            ///< [rad] upper joint limits minus a margin
-  std::array<double, kSamples> rate{};          ///< [1/s] limit of ds/dt at s = k / (kSamples - 1)
-  double stiffness = 0.0;     ///< [N.m/rad] K of JointImpedance, the same for all joints
+  /// [rad] Largest hip angles outward; other joints 0.
+  Vector12 hip_outward_max = Vector12::Zero();
+  Vector12 lower = Vector12::Zero();    ///< [rad] lower joint limits plus a margin
+  Vector12 upper = Vector12::Zero();    ///< [rad] upper joint limits minus a margin
+  std::array<double, kSamples> rate{};  ///< [1/s] limit of ds/dt at s = k / (kSamples - 1)
+  double stiffness = 0.0;               ///< [N.m/rad] K of JointImpedance, the same for all joints
   double damping = 0.0;       ///< [N.m.s/rad] D of JointImpedance, the same for all joints
-  double torque_share = 0.0;  ///< [tau_max] largest holding torque on the path
+  double torque_share = 0.0;  ///< largest holding torque on the path, as a share of tau_max
   double time = 0.0;          ///< [s] duration from folded to standing at the limit of ds/dt
 
-  /// Return the limit of ds/dt at s [1/s], interpolated.
+  /// Return the limit of ds/dt at s [1/s], interpolated between samples.
   double rate_at(double s) const noexcept;
   /// Return q(s) [rad].
   Vector12 joints_at(double s) const noexcept {
@@ -50,7 +52,7 @@ struct RisePlan {
 
 /// Plan a rise. The limit of ds/dt keeps the power of the holding torques below `watts` [W],
 ///   ds/dt <= watts / sum |tau_hold dq/ds|,
-/// and the joint velocities below a share of their limits. Throws surefoot::Error if the robot does
+/// and the joint velocities below a share of their limits. Throw surefoot::Error if the robot does
 /// not have twelve joints.
 RisePlan plan_rise(const Robot& robot, double watts);
 

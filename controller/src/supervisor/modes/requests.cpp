@@ -15,7 +15,7 @@ RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept {
   if ((lying && !context.ready) || (mode != Mode::kSit && context.must_sit)) {
     return RequestStatus::kNotReady;
   }
-  // A rise may be aborted at any time, because TorqueFade can reverse a fade at any share.
+  // A rise may be interrupted at any time, because TorqueFade can reverse a fade at any point.
   const bool busy = context.fading && context.mode != Mode::kRise;
   return busy ? RequestStatus::kBusy : RequestStatus::kAccepted;
 }
@@ -39,7 +39,7 @@ RequestStatus Requests::request_arming() noexcept {
 }
 
 RequestStatus Requests::post(int request) noexcept {
-  if (stop_.load()) return RequestStatus::kBusy;  // the stop would void this request
+  if (stop_.load()) return RequestStatus::kBusy;  // the stop would cancel this request
   int expected = kNoRequest;
   const bool posted = pending_.compare_exchange_strong(expected, request);
   return posted ? RequestStatus::kAccepted : RequestStatus::kBusy;

@@ -7,29 +7,30 @@
 
 namespace surefoot {
 
-/// State of the supervisor that decides whether a request is accepted. The tick publishes it.
+/// State of the supervisor that decides whether a request is accepted. Each tick publishes it.
 struct RequestContext {
   Mode mode = Mode::kPassive;
-  bool state_valid = false;  ///< valid samples arrive
+  bool state_valid = false;  ///< true if valid samples arrive
   bool armed = false;
-  bool ready = false;          ///< all arming checks have passed for arming_time
-  bool must_sit = false;       ///< a fault keeps the robot down
-  bool fading = false;         ///< torques fade between modes
-  bool checks_waived = false;  ///< Start::kStanding: arm() needs no checks
+  bool ready = false;          ///< true if all arming checks have passed for arming_time
+  bool must_sit = false;       ///< true if a fault keeps the robot down
+  bool fading = false;         ///< true if torques fade between modes
+  bool checks_waived = false;  ///< true for Start::kStanding: arm() needs no checks
 };
 
-/// Return whether `mode` may be entered now, or why not. Real-time: yes.
+/// Return whether `mode` may be entered now, or the reason why not. Real-time: yes.
 RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept;
-/// Return whether the robot may be armed now, or why not. Real-time: yes.
+/// Return whether the robot may be armed now, or the reason why not. Real-time: yes.
 RequestStatus judge_arming(const RequestContext& context) noexcept;
 
-/// Mailbox for requests from any thread to the tick. The mailbox holds one request; while it is
-/// full, further requests return kBusy. A stop has its own flag and is never refused. Lock-free.
+/// Mailbox for requests from any thread to the tick. It holds one request; while it is full,
+/// further requests return kBusy. A stop has its own flag and is never rejected. Lock-free.
 /// Real-time: yes.
 class Requests {
  public:
   // For any thread:
   RequestStatus request_mode(Mode mode) noexcept;
+  /// Request that the next tick damps and latches. It cannot be rejected.
   RequestStatus request_arming() noexcept;
   void stop() noexcept { stop_.store(true); }
   RequestContext context() const noexcept { return unpack(context_.load()); }

@@ -7,16 +7,16 @@
 
 namespace surefoot {
 
-/// Torques and damping commanded to the twelve motors, SDK motor order.
+/// Torques and damping for the twelve motors, SDK motor order.
 struct MotorDemand {
   Vector12 tau = Vector12::Zero();  ///< [N.m]
-  Vector12 kd = Vector12::Zero();   ///< [N.m.s/rad] Kd, with desired dq = 0
+  Vector12 kd = Vector12::Zero();   ///< [N.m.s/rad] Kd, with a desired velocity of 0
 };
 
-/// Where a MotorDemand comes from: damping only, JointImpedance, or StandController.
+/// Source of a MotorDemand: damping only, JointImpedance or StandController.
 enum class TorqueSource { kDamping, kImpedance, kController };
 
-/// Torque fade: weights for a change from one torque source to another without a step.
+/// Torque fade: weights that change from one torque source to another without a torque jump.
 ///
 /// The caller computes both sources during the fade and sends
 ///   (1 - w) from + w to,   w = smoothstep(t / kTime)
@@ -24,12 +24,12 @@ enum class TorqueSource { kDamping, kImpedance, kController };
 /// weights. Real-time: yes.
 class TorqueFade {
  public:
-  /// [s] Duration of a fade. Chosen. If smaller: torques change faster than TorqueRateLimiter
-  /// allows (9.5 % of the limits in 2 ms). If larger: the robot sinks during the fade, and requests
-  /// are refused as busy.
+  /// [s] Duration of a fade. Chosen. If shorter: torques change faster than TorqueRateLimiter
+  /// allows (9.5 % of the limits in 2 ms). If longer: the robot sinks during the fade, and requests
+  /// are rejected as busy.
   static constexpr double kTime = 0.25;
 
-  /// Begin a fade to source `next`. No effect if `next` is already the goal.
+  /// Begin a fade to source `next`. This has no effect if `next` is already the goal.
   void start(TorqueSource next) noexcept {
     if (next == to_) return;
     // A reversed fade continues from the present weights.
@@ -44,17 +44,18 @@ class TorqueFade {
   }
   void advance(double dt) noexcept { time_left_ = std::max(time_left_ - dt, 0.0); }
   bool active() const noexcept { return time_left_ > 0.0; }
-  /// Return whether `source` must be computed now.
+  /// Return whether `source` must be computed in this tick.
   bool uses(TorqueSource source) const noexcept {
     return to_ == source || (active() && from_ == source);
   }
   TorqueSource from() const noexcept { return from_; }
   TorqueSource to() const noexcept { return to_; }
-  double weight() const noexcept { return smoothstep(1.0 - time_left_ / kTime); }  ///< w of to()
+  /// weight w of to()
+  double weight() const noexcept { return smoothstep(1.0 - time_left_ / kTime); }
 
  private:
   TorqueSource from_ = TorqueSource::kDamping, to_ = TorqueSource::kDamping;
-  double time_left_ = 0.0;  // [s] until the end of the fade
+  double time_left_ = 0.0;  // [s] time until the end of the fade
 };
 
 }  // namespace surefoot

@@ -11,13 +11,13 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand.
-// [s] Duration of the hips' motion outward, and of the motion back. Hips stay below 1 rad/s
-// (test_rise_checks).
+// The constants are chosen by hand.
+// [s] Duration of the hips' motion outward, and of the motion back. Chosen so that hips stay below
+// 1 rad/s (test_rise_checks).
 constexpr double kMoveTime = 0.6;
-// [s] Pause before torques are averaged: five time constants D / K.
+// [s] Pause before torques are averaged: five times the time constant D / K of the impedance.
 constexpr double kSettleTime = 0.15;
-constexpr double kAveragingTime = 0.2;  // [s] duration of averaging: 100 ticks
+constexpr double kAveragingTime = 0.2;  // [s] duration of the average: 100 ticks at 500 Hz
 constexpr double kReturnTime = kMoveTime + kSettleTime + kAveragingTime;
 
 }  // namespace
@@ -54,14 +54,15 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
     reference_.dq[hip] = (q - reference_.q[hip]) / dt;
     reference_.q[hip] = q;
   }
-  // If the check fails, it ends before the hips are back.
+  // If the check fails, it ends before the hips have moved back.
   if (time_ >= kReturnTime && !averaged) judge();
   if (verdict_ == Verdict::kNone && time_ >= kReturnTime + kMoveTime) verdict_ = Verdict::kFits;
   return reference_;
 }
 
-// If the ratios are wrong and alike, the robot is not that of the model. If one leg differs, it is
-// on the wrong side. In the logarithm, ratios below 1e-3 and negative ratios count as 1e-3.
+// If the ratios are wrong but alike, the robot is not the robot of the model. If the ratio of one
+// leg differs, this leg is on the wrong side. In the logarithm, ratios below 1e-3, negative ones
+// included, count as 1e-3.
 void LegWeightCheck::judge() noexcept {
   int worst = 0, heaviest = 0, count = 0;
   double off = -1.0, all = 0.0;

@@ -12,37 +12,39 @@ namespace surefoot {
 /// Light leg check: detects legs that are much lighter than those of the model, before the legs
 /// move.
 ///
-/// The motors get the model's gravity torques of the legs, and springs hold the joints in place.
-/// The spring torques are zero if the legs weigh what the model says, or rest on something. Lighter
-/// legs rise against their springs, and the springs take back a share of the gravity torque:
+/// The motors get the gravity torques of the model's legs, and springs hold the joints in place.
+/// The spring torques are zero if the legs have the weight of the model, or rest on something.
+/// Lighter legs rise against their springs, and the springs then cancel a share of the gravity
+/// torque:
 ///   relief = 1 - measured / model
 /// All legs that hang free have the same relief; a leg that rests on the ground has none. The legs
-/// are too light if the relief agrees in enough joints, with at least one hip among them.
-/// Real-time: yes.
+/// are too light if enough joints have the same relief, among them at least one hip. Real-time:
+/// yes.
 class LightLegCheck {
  public:
-  // Chosen by hand; test: legs_far_lighter_than_expected_are_detected. Healthy robots that rise
-  // pass (benchmarks/false_trips.py); a go1 with the model of a b1 fails (row wrong_robot).
+  // The constants are chosen by hand. Test: legs_far_lighter_than_expected_are_detected. Healthy
+  // robots that rise pass (benchmarks/false_trips.py); a go1 with the model of a b1 fails (row
+  // wrong_robot).
   static constexpr double kDuration = 0.5;  ///< [s] duration of the check: twice TorqueFade::kTime
   /// [s] Last part of the check, in which torques are averaged.
   static constexpr double kAveragingTime = 0.1;
   static constexpr double kMinRelief = 0.4;  ///< smallest relief of a light leg
-  /// Largest relief of a light leg; above this value another force pushes the leg.
+  /// Largest relief of a light leg. Above this value another force pushes the leg.
   static constexpr double kMaxRelief = 1.3;
-  /// [largest gravity torque] Gravity torque below which a joint is skipped, because friction
-  /// dominates.
+  /// Gravity torque, as a share of the largest gravity torque, below which a joint is not counted,
+  /// because friction dominates.
   static constexpr double kMinTorqueShare = 0.3;
   static constexpr double kMaxDifference = 0.06;  ///< largest difference between reliefs that agree
-  /// [judged joints] Share of joints that must agree. Below 1, because some joints may rest on
+  /// Share of the counted joints that must agree. Below 1, because some joints may rest on
   /// something.
   static constexpr double kMinJointShare = 0.5;
   /// Number of joints that must agree: as many as one leg has.
   static constexpr int kMinJoints = 3;
 
-  /// Add a sample. Torques are in SDK motor order.
+  /// Process a sample. Torques are in SDK motor order.
   /// @param measured joint torques [N.m]
   /// @param model gravity torques of the legs [N.m]
-  /// @param dt [s] since the previous sample
+  /// @param dt [s] time since the previous sample
   void update(const Vector12& measured, const Vector12& model, double dt) noexcept {
     time_ += dt;
     if (time_ <= kDuration - kAveragingTime) return;
@@ -50,7 +52,7 @@ class LightLegCheck {
     model_ += model;
   }
   bool done() const noexcept { return time_ >= kDuration; }
-  /// Return whether the legs are too light; valid once done().
+  /// Return whether the legs are too light. The result is valid once done() is true.
   bool too_light() const noexcept {
     const double min_torque = kMinTorqueShare * model_.cwiseAbs().maxCoeff();
     Vector12 relief = Vector12::Zero();
@@ -74,7 +76,7 @@ class LightLegCheck {
 
  private:
   Vector12 measured_ = Vector12::Zero(), model_ = Vector12::Zero();  // [N.m] sums of torques
-  double time_ = 0.0;                                                // [s] since the start
+  double time_ = 0.0;                                                // [s] time since the start
 };
 
 }  // namespace surefoot

@@ -8,13 +8,15 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand; benchmarks/get_up.py covers these values. If slower: a rise takes longer. If
-// faster: the press takes more power.
-constexpr double kRate = 0.5;      // [1/s] rate of s: slower than RisePlan's 0.8 for all legs
-constexpr double kMinRate = 0.01;  // [1/s] smallest rate near the goal: s arrives in finite time
-constexpr double kAcceleration = 4.0;  // [1/s^2] acceleration of s: kRate is reached in 1/8 s
-constexpr double kFollowTime = 0.3;    // [s] pause at full extension, in which the body follows
-constexpr double kSettleTime = 0.1;  // [s] pause before the press, in which the body comes to rest
+// The constants are chosen by hand; benchmarks/get_up.py covers them. If slower: a rise takes
+// longer. If faster: the press takes more power.
+// [1/s] Largest rate of s; slower than the 0.8 of RisePlan for all legs.
+constexpr double kRate = 0.5;
+// [1/s] Smallest rate near the goal, so that s arrives in finite time.
+constexpr double kMinRate = 0.01;
+constexpr double kAcceleration = 4.0;  // [1/s^2] acceleration of s: it reaches kRate in 1/8 s
+constexpr double kFollowTime = 0.3;    // [s] pause at full extension, so that the body can follow
+constexpr double kSettleTime = 0.1;    // [s] pause before the press, so that the body comes to rest
 
 }  // namespace
 
@@ -34,7 +36,7 @@ const JointReference& RearPressCheck::step(const Quaternion& R_world_base, doubl
   return reference_;
 }
 
-// Yaw is ignored, because any press turns a body that lies on few points.
+// The yaw of the body is ignored, because any press turns a body that lies on few points.
 void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, double dt) noexcept {
   const bool at_end = s_ == (pressing_ ? kMaxExtension : 0.0);
   wait_time_ = at_end ? wait_time_ + dt : 0.0;

@@ -6,36 +6,37 @@
 
 namespace surefoot {
 
-/// Rear press check: the rear legs of a lying robot press on the ground; the front of the body must
-/// then go down.
+/// Rear press check: when the rear legs of a lying robot press on the ground, the front of the body
+/// must go down.
 ///
 /// If front and rear leg of one side are swapped, only the motion of the body shows it. So, before
-/// the body leaves the ground, the two rear legs alone extend along the path of the rise. They stop
+/// the body leaves the ground, only the two rear legs extend along the path of the rise. They stop
 /// at s = kMaxExtension, or when the front of the body has gone down by kMinNoseDown.
 ///
-/// If the two pressing legs are in truth a diagonal pair, they also roll the body and carry all of
+/// If the two pressing legs really are a diagonal pair, they also roll the body and carry all of
 /// its weight; a true rear pair shares the weight with the front of the body. So the press fails if
 /// the body rolls by kMaxRoll while the legs carry kDiagonalLoad, or if the front rises by
-/// kMaxNoseUp. Roll or load alone proves nothing: an off-centre payload rolls a body with a narrow
-/// front, and some bodies are heavy at the rear. A failed press is repeated once, because the body
-/// may lie unevenly. If the legs carry less than kMinLoad, the robot hangs and the check passes.
-/// Real-time: yes.
+/// kMaxNoseUp. Neither roll nor load is sufficient alone: an off-centre payload rolls a body with a
+/// narrow front, and some bodies are heavy at the rear. A failed press is repeated once, because
+/// the body may lie unevenly. If the legs carry less than kMinLoad, the robot hangs and the check
+/// passes. Real-time: yes.
 class RearPressCheck {
  public:
-  // Chosen between values measured in simulation (docs/faults.md). True rear pair: rolls an a1, go1
-  // and b1 by 0.1 degrees at most, carries up to 0.21 of the weight of an a1, go1 and go2. Diagonal
-  // pair: rolls a body by 0.4 degrees or more, carries 0.26 or more. Tests: test_rise_checks.cpp.
-  /// [rad] 3.4 degrees: pitch of the front down that passes.
+  // The limits are chosen between values measured in simulation (docs/faults.md). A true rear pair
+  // rolls an a1, go1 and b1 by at most 0.1 degrees, and carries at most 0.21 of the weight of an
+  // a1, go1 and go2. A diagonal pair rolls a body by at least 0.4 degrees and carries at least
+  // 0.26. Tests: test_rise_checks.cpp.
+  /// [rad] 3.4 degrees: the check passes if the front goes down by more than this.
   static constexpr double kMinNoseDown = 0.06;
-  /// [rad] 0.7 degrees: pitch of the front up that fails.
+  /// [rad] 0.7 degrees: the press fails if the front goes up by more than this.
   static constexpr double kMaxNoseUp = 0.012;
   static constexpr double kMaxRoll = 0.004;  ///< [rad] 0.2 degrees: roll to either side that fails
-  /// [m g] Load on the legs, by load_share(), above which the pair is diagonal.
+  /// [m g] Load on the legs, from load_share(), above which the pair is diagonal.
   static constexpr double kDiagonalLoad = 0.24;
-  /// [m g] Load on the legs, by load_share(), below which the legs press on nothing.
+  /// [m g] Load on the legs, from load_share(), below which the legs press on nothing.
   static constexpr double kMinLoad = 0.1;
-  /// Largest s of the rise path. Chosen. If smaller: kMinNoseDown is not reached. If larger: the
-  /// press raises the body.
+  /// Largest s of the press. Chosen. If smaller: the front does not reach kMinNoseDown. If larger:
+  /// the press raises the whole body.
   static constexpr double kMaxExtension = 0.35;
 
   explicit RearPressCheck(const RisePlan& plan) : plan_(plan) {}
@@ -49,11 +50,11 @@ class RearPressCheck {
   const JointReference& step(const Quaternion& R_world_base, double load, double dt) noexcept;
   bool passed() const noexcept { return is_lowered() && nose_went_down_; }
   bool failed() const noexcept { return is_lowered() && !nose_went_down_ && tries_ >= kTries; }
-  /// Return the SDK number of the first motor of the pressing legs.
+  /// Return the SDK number of the first motor of the two pressing legs.
   static constexpr int motor() noexcept { return kLegJoints * kFirstLeg; }
 
  private:
-  static constexpr int kTries = 2;     // chosen: the body may lie unevenly in the first try
+  static constexpr int kTries = 2;     // chosen: the body may lie unevenly at the first try
   static constexpr int kFirstLeg = 2;  // RR; the second pressing leg is RL
 
   void evaluate(const Quaternion& R_world_base, double load, double dt) noexcept;
@@ -66,8 +67,8 @@ class RearPressCheck {
   Quaternion R_before_ = Quaternion::Identity();  // attitude at the start of the press
   bool pressing_ = false, nose_went_down_ = false;
   int tries_ = 0;
-  double s_ = 0.0, ds_ = 0.0;  // [1] path parameter, [1/s] its rate
-  double wait_time_ = 0.0;     // [s] for which s has been at the end of its motion
+  double s_ = 0.0, ds_ = 0.0;  // s_: path parameter; ds_: its rate [1/s]
+  double wait_time_ = 0.0;     // [s] time for which s has been at its goal
 };
 
 }  // namespace surefoot

@@ -9,11 +9,11 @@
 namespace surefoot {
 
 namespace {
-// Chosen by hand; test: body_that_blocks_all_legs_is_pinned.
-// [rad] Change of tilt from which the body moves freely. Must exceed noise. Must be below the tilt
-// of a lift that frees a leg.
+// The constants are chosen by hand; test: body_that_blocks_all_legs_is_pinned.
+// [rad] Change of tilt from which the body moves freely. Larger than noise, and smaller than the
+// tilt of a lift that frees a leg.
 constexpr double kBodyMoved = 0.1;
-constexpr double kHipMoved = 0.45;  // [rad] motion of a hip from which it is more than play
+constexpr double kHipMoved = 0.45;  // [rad] motion of a hip that is more than play
 }  // namespace
 
 int LegFolding::most_catches() const noexcept {
@@ -35,7 +35,7 @@ std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const 
   return side;
 }
 
-// Calves and thighs are not judged, because they may have some play even if the leg is blocked.
+// Calves and thighs are not checked, because they may have some play even if the leg is blocked.
 bool LegFolding::pinned(const Vector12& measured, const Vector3& up) const noexcept {
   bool all = rollover_.rolls() == 0 && std::abs(tilt_angle(up) - tilt_start_) < kBodyMoved;
   for (int leg = 0; leg < kLegs; ++leg) {

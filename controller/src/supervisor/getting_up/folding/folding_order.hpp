@@ -13,13 +13,14 @@ namespace surefoot {
 /// has folded.
 ///
 /// The legs of a leaning body support it and keep it from rolling over. The front leg on the lower
-/// side supports most, so its diagonal pair waits. Two exceptions:
-/// - If this front leg is drawn in under the body and the knee of the other front leg is not up,
-///   the pair of the other front leg waits.
-/// - If the rear leg of the pair is drawn in with its knee down, it would turn the body over after
-///   the other legs have folded. Then the other pair waits, unless this is true of both pairs.
+/// side supports most, so its diagonal pair waits. There are two exceptions:
+/// - If this front leg is drawn in under the body, and the knee of the other front leg is not up,
+///   the diagonal pair of the other front leg waits.
+/// - If the rear leg of the chosen pair is drawn in with its knee down, it would turn the body over
+///   after the other legs have folded. Then the other pair waits, unless its rear leg is drawn in
+///   too.
 ///
-/// The wait is limited, because the legs may block one another. Level bodies need no order, and
+/// The wait is limited, because the legs may block each other. Level bodies need no order, and
 /// robots with a wide belly set the wait to 0. Real-time: yes.
 class FoldingOrder {
  public:
@@ -30,8 +31,8 @@ class FoldingOrder {
   /// Choose the pair that waits.
   /// @param up the world's vertical in base axes, unit length
   /// @param legs angles of FR, FL, RR, RL
-  /// @param always whether a pair waits even if the body is level
-  /// @param wait longest wait [s]; 0: all legs fold at once
+  /// @param always true: a pair waits even if the body is level
+  /// @param wait longest wait [s]; with 0 all legs fold at once
   void start(const Vector3& up, const std::array<Leg, kLegs>& legs, bool always,
              double wait) noexcept {
     time_left_ = always || std::hypot(up.x(), up.y()) > kMinTilt ? wait : 0.0;
@@ -46,7 +47,7 @@ class FoldingOrder {
       waiting_front_leg_ = 1 - waiting_front_leg_;
   }
   /// Advance by dt [s].
-  /// @param others_folded whether all legs that do not wait are folded
+  /// @param others_folded true if all legs that do not wait are folded
   void update(bool others_folded, double dt) noexcept {
     time_left_ = others_folded ? 0.0 : time_left_ - dt;
   }
@@ -57,16 +58,17 @@ class FoldingOrder {
   }
 
  private:
-  // Chosen by hand from rises of a go2 (benchmarks/false_trips.py: no trip in 515 rises). The
-  // angles are those of folding_path.cpp. Test:
+  // The constants are chosen by hand from rises of a go2 (benchmarks/false_trips.py: no trip in 515
+  // rises). The angles are the same as in folding_path.cpp. Test:
   // legs_of_a_leaning_body_fold_one_diagonal_pair_at_a_time.
-  static constexpr double kMinTilt = 0.2;  // sine of 11.5 degrees: tilt above which the body leans
+  // Sine of 11.5 degrees: the body leans if the sine of its tilt is larger.
+  static constexpr double kMinTilt = 0.2;
   // [rad] Hip angle above which a leg is drawn in under the body.
   static constexpr double kHipInward = 0.5;
   static constexpr double kKneeUp = 2.2;  // [rad] thigh angle from which the knee is up
 
-  double time_left_ = 0.0;       // [s] until the pair stops waiting
-  int waiting_front_leg_ = FR_;  // its diagonal leg waits too
+  double time_left_ = 0.0;       // [s] time until the pair stops waiting
+  int waiting_front_leg_ = FR_;  // front leg of the waiting pair; its diagonal leg waits too
 };
 
 }  // namespace surefoot

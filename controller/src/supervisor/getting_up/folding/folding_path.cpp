@@ -9,34 +9,36 @@ namespace surefoot {
 
 namespace {
 
-// Angles chosen by hand for the shape of Unitree's legs, with poses that had failed to fold.
-// Measured with these values (benchmarks/get_up.py): 1000 of 1000 dropped robots stand, 250 of each
-// model. Tests: test_leg_folding.cpp. Thigh angles are positive in the folding direction, hip
-// angles inward.
-constexpr double kHipInward = 0.5;        // [rad] hip angle above which a leg is under the body ...
-constexpr double kThighAhead = -0.3;      // [rad] ... and thigh angle below which it points ahead
-constexpr double kHipInwardRolled = 0.4;  // [rad] kHipInward after a roll of the body
-// [rad] Thigh angle below which a leg is stretched ahead, else behind.
+// The angles are chosen by hand for the shape of Unitree's legs, with poses from which legs failed
+// to fold. Measured with these values (benchmarks/get_up.py): 1000 of 1000 dropped robots stand,
+// 250 of each model. Tests: test_leg_folding.cpp. Thigh angles are positive in the folding
+// direction, hip angles are positive inward.
+constexpr double kHipInward = 0.5;        // [rad] hip angle above which a leg is under the body
+constexpr double kThighAhead = -0.3;      // [rad] thigh angle below which a leg points ahead
+constexpr double kHipInwardRolled = 0.4;  // [rad] kHipInward after the body has rolled
+// [rad] A leg with a smaller thigh angle is stretched ahead, any other leg is stretched behind.
 constexpr double kStretchAheadLimit = 0.8;
-// [rad] A thigh with a limit above this is not stretched ahead.
+// [rad] A thigh whose limit is above this cannot be stretched ahead.
 constexpr double kMinStretchReach = -0.8;
-// [rad] Error of thigh and calf below which the hip opens.
+// [rad] The hip opens when the errors of thigh and calf are smaller than this.
 constexpr double kStretchTolerance = 0.3;
-constexpr double kKneeOutwardStart = -0.8;  // [rad] thigh angle from which the hip turns outward
-constexpr double kKneeOutwardFull = 0.2;    // [rad] thigh angle from which the hip is fully outward
-constexpr double kKneeOutwardEnd = 1.3;     // [rad] thigh angle from which the hip turns back
-constexpr double kKneeUp = 2.2;             // [rad] thigh angle from which the hip is straight
-constexpr double kKneeBack = 1.9;  // [rad] thigh angle of a thigh turned back along the body
-// [rad] Error of the hip above which the thigh stays turned back.
+// [rad] Thigh angle from which the hip begins to turn outward.
+constexpr double kKneeOutwardStart = -0.8;
+constexpr double kKneeOutwardFull = 0.2;  // [rad] thigh angle from which the hip is fully outward
+constexpr double kKneeOutwardEnd = 1.3;   // [rad] thigh angle from which the hip turns back
+constexpr double kKneeUp = 2.2;           // [rad] thigh angle from which the hip is straight
+// [rad] Thigh angle of a thigh that is turned back along the body.
+constexpr double kKneeBack = 1.9;
+// [rad] The thigh stays turned back while the error of the hip is larger than this.
 constexpr double kHipTolerance = 0.2;
 
-// Return the thigh angle x [rad] with its sign changed so that it is positive in the folding
-// direction.
+// Return the thigh angle x [rad], with its sign changed if necessary so that it is positive in the
+// folding direction.
 double folding_angle(const RisePlan& plan, int thigh, double x) noexcept {
   return std::copysign(1.0, plan.folded[thigh]) * x;
 }
 
-// Return the thigh's limit at the end opposite to the folding direction [rad].
+// Return the limit of the thigh [rad] at the end opposite to the folding direction.
 double forward_limit(const RisePlan& plan, int thigh) noexcept {
   return plan.folded[thigh] > 0.0 ? plan.lower[thigh] : plan.upper[thigh];
 }

@@ -6,31 +6,31 @@
 namespace surefoot {
 
 /// [rad] Calf angle of a leg that is stretched or backs out. Chosen: inside the ranges of all
-/// calves (from 0.6 .. 0.9 to 2.6 .. 2.8 rad), far from folded, and far from a straight leg, which
+/// calves (from 0.6 .. 0.9 to 2.6 .. 2.8 rad), far from folded, and far from a straight knee, which
 /// is singular.
 constexpr double kStretchedCalf = 1.2;
 
 /// Options of folding_target().
 struct FoldingMode {
-  /// Whether the knee-back and stretch motions may be used, not only the sweep.
+  /// true: the knee-back and stretch motions may be used; false: only the sweep.
   bool allow_detours = true;
-  bool rolled = false;  ///< whether the body has rolled over its legs in this folding
+  bool rolled = false;  ///< true if the body has rolled over its legs in this folding
 };
 
-/// Compute the next target of one leg of a lying robot on its path to RisePlan::folded.
+/// Compute the next target of one leg of a lying robot, on its path to RisePlan::folded.
 ///
 /// Sweep: while the knee is below the hip, the hip is turned outward, so that the leg passes beside
-/// the body. Once the knee is up, the hip is straight; otherwise the knees of two legs would meet
-/// above the body. While the knee points forward the hip is straight too, because the foot is then
-/// up and an outward leg would put it on the body.
+/// the body. Once the knee is up, the hip is straight, because otherwise the knees of two legs
+/// would meet above the body. While the knee points forward the hip is straight too: the foot is
+/// then up, and an outward hip would put the foot on the body.
 ///
-/// Knee back: the thigh stays turned back until the hip is straight; otherwise the knee would jam
-/// against the edge of the body.
+/// Knee back: the thigh stays turned back until the hip is straight, because otherwise the knee
+/// would jam against the edge of the body.
 ///
 /// Stretch: a leg that is drawn in under the body and points ahead is first stretched ahead along
-/// the body, if the range of its thigh allows this. The hip opens when the leg is stretched. A bent
-/// leg would lift its side and roll the body as the hip opens. After a roll, every drawn-in leg is
-/// stretched, ahead or behind.
+/// the body, if the range of its thigh allows this. The hip opens when the leg is stretched; with a
+/// bent leg, the opening hip would lift its side and roll the body. After a roll, every drawn-in
+/// leg is stretched, ahead or behind.
 /// @param q measured angles of hip, thigh, calf [rad]
 /// @param thigh_reference present reference of the thigh [rad]
 /// @return target angles of hip, thigh, calf [rad]. Real-time: yes.

@@ -11,29 +11,32 @@ namespace surefoot {
 
 namespace {
 
-// Chosen by hand. Measured with these values (benchmarks/get_up.py): 1000 of 1000 dropped robots
-// stand, power 93 W at most at level 1 (100 W). Tests: test_leg_folding.cpp.
-// [rad/s] Largest speed of a reference; slow, because folding takes power.
+// The constants are chosen by hand. Measured with these values (benchmarks/get_up.py): 1000 of 1000
+// dropped robots stand, with at most 93 W at level 1 (100 W). Tests: test_leg_folding.cpp.
+//
+// [rad/s] Largest speed of a joint reference. Slow, because folding takes power.
 constexpr double kSpeed = 1.2;
-// [rad/s^2] Acceleration of a reference: kSpeed is reached in 80 ms.
+// [rad/s^2] Acceleration of a joint reference: it reaches kSpeed in 80 ms.
 constexpr double kAcceleration = 15.0;
-constexpr double kSettlingRate = 4.0;  // [1/s] gain from the distance to the target to the speed
-// [rad] Largest lead of a reference over its joint. Must be below kMaxDeflection of the spring.
+// [1/s] Speed of a reference divided by its distance to the target.
+constexpr double kSettlingRate = 4.0;
+// [rad] Largest lead of a reference over its joint. Smaller than kMaxDeflection of the spring.
 constexpr double kMaxLead = 0.4;
-// [rad] kMaxLead for legs with leg interference: they take less power when they come free.
+// [rad] kMaxLead for legs with leg interference, which then take less power when they come free.
 constexpr double kInterferenceLead = 0.3;
-// [s] Time for which detours are allowed; after that only the sweep.
+// [s] Detours are allowed for this time; after that only the sweep.
 constexpr double kDetourTime = 4.0;
-// [s] Time constant with which references approach released joints: no step of torque.
+// [s] Time constant with which references approach released joints, so that torques do not jump.
 constexpr double kReleaseTime = 0.03;
-constexpr double kReferenceTolerance = 0.005;  // [rad] error below which a reference has arrived
-// [rad] Error below which a joint has arrived: friction, ground.
+// [rad] Error below which a reference is at its target.
+constexpr double kReferenceTolerance = 0.005;
+// [rad] Error below which a joint is at its target. Friction and ground can cause such an error.
 constexpr double kJointTolerance = 0.25;
-// [rad] A leg that moves by less than this in kCatchTime has caught.
+// [rad] A leg that moves by less than this within kCatchTime has caught.
 constexpr double kMinMovement = 0.1;
-constexpr double kCatchTime = 1.0;    // [s] time in which a leg could move 1.2 rad
+constexpr double kCatchTime = 1.0;    // [s] in this time a leg could move by 1.2 rad
 constexpr double kBackOutTime = 1.5;  // [s] duration of backing out: up to 1.8 rad at kSpeed
-// [rad] Displacement of the thigh per catch while it backs out.
+// [rad] Displacement of the thigh while it backs out, for each catch.
 constexpr double kBackOutStep = 0.6;
 
 }  // namespace
@@ -67,8 +70,8 @@ void LegFolding::restart(const Vector12& measured, const Vector3& up) noexcept {
                rollover_.rolls() > 0, wait_);
 }
 
-// The references follow the measured angles, so the springs have no deflection and the motors only
-// damp. The body then sinks to the ground.
+// The references follow the measured angles. So the springs have no deflection, the motors only
+// damp, and the body sinks to the ground.
 void LegFolding::relax_legs(const Vector12& measured, const Vector3& up, double dt) noexcept {
   reference_.q += dt / (dt + kReleaseTime) * (measured - reference_.q);
   reference_.dq.setZero();
@@ -92,7 +95,7 @@ bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
   return off(reference_.q) < kReferenceTolerance && off(measured) < kJointTolerance;
 }
 
-// A leg has caught if it neither moves nor is folded.
+// A leg has caught if it is not folded and does not move.
 void LegFolding::detect_catch(int leg, const Vector12& measured, double dt) noexcept {
   Leg& own = legs_[leg];
   if (own.back_out_time > 0.0 || own.rest_time > 0.0) {
@@ -133,7 +136,7 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
   if (own.back_out_time > 0.0) {
     Vector3 target = plan_.folded.segment<kLegJoints>(hip);
     const double left = target[1] - own.q[1];
-    // A thigh that is already folded backs out against the folding direction.
+    // A thigh that is already at its folded angle backs out against the folding direction.
     const double displacement = std::abs(left) < kJointTolerance ? target[1] : left;
     const double step = std::copysign(own.catches * kBackOutStep, displacement);
     target[0] = plan_.hip_outward_max[hip];

@@ -12,18 +12,18 @@ namespace surefoot {
 
 /// Folding: moves the legs of a lying robot from any measured pose to RisePlan::folded.
 ///
-/// Every joint reference moves towards folding_target() and waits if its joint lags behind. All
-/// legs move at once. If the body leans or has rolled, one diagonal pair waits (FoldingOrder, gain
-/// fold_wait).
+/// Every joint reference moves towards folding_target(), and waits if its joint lags behind. All
+/// legs move at once, but one diagonal pair waits if the body leans or has rolled (FoldingOrder,
+/// gain fold_wait).
 ///
-/// Catching: a leg that does not move for kCatchTime has caught on something. The leg backs out,
-/// hip outward and calf open, further with each catch. On every second catch the leg rests and its
-/// neighbour on the same side backs out instead, because the neighbour may have folded onto the
-/// leg. After kMaxCatches the folding is stuck().
+/// Catching: a leg that does not move for kCatchTime has caught on something. The leg then backs
+/// out, with the hip outward and the calf open, and further with each catch. On every second catch
+/// the leg rests and its neighbour on the same side backs out instead, because the neighbour may
+/// have folded onto the leg. After kMaxCatches the folding is stuck().
 ///
 /// Rolling: if the body rolls over its legs, all legs are released for 1 s and then fold again;
-/// legs that are drawn in then stretch first. If the body rolls on after two releases, it has
-/// rolled_over(). Real-time: yes.
+/// drawn-in legs stretch first. If the body still rolls after two releases, it has rolled_over().
+/// Real-time: yes.
 class LegFolding {
  public:
   /// @param wait gain fold_wait [s]
@@ -36,25 +36,25 @@ class LegFolding {
   void start(const Vector12& measured, const Vector3& up) noexcept;
   /// Advance by dt [s] and return the joint reference.
   const JointReference& step(const Vector12& measured, const Vector3& up, double dt) noexcept;
-  /// Return whether references and legs have reached RisePlan::folded.
+  /// Return whether all joint references and legs have reached RisePlan::folded.
   bool done() const noexcept { return done_; }
-  /// Return the folded legs of one side if this side is to be weighed alone, else no legs (all
-  /// false). A side is weighed alone if a leg of the other side has caught kMinCatches times or the
-  /// body has rolled, because the folding of all four legs may then never end. After
+  /// Return the folded legs of one side if this side is to be weighed alone, otherwise no leg (all
+  /// false). A side is weighed alone if a leg of the other side has caught kMinCatches times, or if
+  /// the body has rolled, because the folding of all four legs may then never end. After
   /// side_weighed(), no side is returned until a leg has caught kCatchesBetween more times.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
-  /// Record that a side was weighed.
+  /// Record that a side has been weighed.
   void side_weighed() noexcept { next_weighing_ = most_catches() + kCatchesBetween; }
   /// Return whether the body rolls over its folded legs. Call this instead of step() while the legs
-  /// are weighed or press. If true, continue with step(), which releases the legs and folds them
-  /// again.
+  /// are weighed or press. If it returns true, continue with step(), which releases the legs and
+  /// folds them again.
   /// @param held present reference of all legs
   bool detect_rollover(const JointReference& held, const Vector3& up, double dt) noexcept;
-  /// Return whether no leg can move: all legs have caught, no leg is folded, the hips and the tilt
-  /// have hardly changed, and the body has not rolled. The legs are then held, or too heavy for the
+  /// Return whether no leg can move: all legs have caught, no leg is folded, hips and tilt have
+  /// hardly changed, and the body has not rolled. The legs are then held, or too heavy for the
   /// impedance.
   bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
-  /// Return whether the body rolls over the legs although they were released twice.
+  /// Return whether the body still rolls over its legs after two releases.
   bool rolled_over() const noexcept { return rollover_.rolled_over(); }
   /// Return whether folding has taken too long, or a leg has caught too often.
   bool stuck() const noexcept {
@@ -62,24 +62,25 @@ class LegFolding {
   }
 
  private:
-  // Chosen by hand. Must exceed the duration of get-ups: median 7 to 10 s, 19 s at most
+  // The limits are chosen by hand, above the duration of get-ups: median 7 to 10 s, at most 19 s
   // (benchmarks/get_up.py). Test: folding_stops_after_several_retries_of_a_caught_leg (15 to 45 s).
-  // [s] Longest folding since the start or the last release.
+  // [s] Longest time of folding since the start or the last release.
   static constexpr double kTimeout = 40.0;
-  // Largest number of catches of one leg: 8 (kCatchTime + kBackOutTime) = 20 s.
+  // Largest number of catches of one leg, which takes 8 (kCatchTime + kBackOutTime) = 20 s.
   static constexpr int kMaxCatches = 8;
-  static constexpr int kMinCatches = 2;  // number of catches that healthy legs seldom reach
+  static constexpr int kMinCatches = 2;  // number of catches that a healthy leg seldom reaches
   // Number of catches from one weighing of a side to the next.
   static constexpr int kCatchesBetween = 2;
 
   struct Leg {
-    Vector3 q = Vector3::Zero();  // [rad] angles where the leg last moved or caught
-    double time = 0.0;            // [s] for which the leg has been folding
-    double still_time = 0.0;      // [s] since the leg last moved
-    double back_out_time = 0.0;   // [s] until the leg stops backing out
-    double rest_time = 0.0;       // [s] until the leg stops resting, while its neighbour backs out
+    Vector3 q = Vector3::Zero();  // [rad] joint angles at the last motion or catch of the leg
+    double time = 0.0;            // [s] time for which the leg has been folding
+    double still_time = 0.0;      // [s] time since the leg last moved
+    double back_out_time = 0.0;   // [s] time until the leg stops backing out
+    // [s] Time until the leg stops resting; its neighbour backs out meanwhile.
+    double rest_time = 0.0;
     int catches = 0;
-    bool interfered = false;  // whether the leg and its neighbour may block each other
+    bool interfered = false;  // true if the leg and its neighbour may block each other
   };
 
   void restart(const Vector12& measured, const Vector3& up) noexcept;
@@ -99,8 +100,8 @@ class LegFolding {
   FoldingOrder order_;
   double wait_;                          // [s] gain fold_wait
   Vector12 q_start_ = Vector12::Zero();  // [rad] joint angles at the start
-  double tilt_start_ = 0.0;              // [rad] of the body at the start
-  double time_ = 0.0;                    // [s] since the last start or release
+  double tilt_start_ = 0.0;              // [rad] tilt of the body at the start
+  double time_ = 0.0;                    // [s] time since the start or the last release
   int next_weighing_ = 0;                // number of catches from which a side is weighed again
   bool done_ = false;
 };

@@ -10,9 +10,9 @@ namespace surefoot {
 /// Detects a lying body that rolls over its folding legs.
 ///
 /// A roll is a tilt above kRollTilt that has grown by kMinTiltIncrease. The legs are then released
-/// for kReleaseTime, early enough for the body to fall back; this happens at most twice. If the
-/// body still rolls on, it has rolled over: legs are not where the model assumes them, or an
-/// obstacle is in the way. Real-time: yes.
+/// for kReleaseTime, early enough for the body to fall back. This happens at most twice. If the
+/// body still rolls after that, it has rolled over: the legs are not where the model assumes them,
+/// or an obstacle is in the way. Real-time: yes.
 class RolloverMonitor {
  public:
   /// @param up the world's vertical in base axes, unit length
@@ -28,7 +28,8 @@ class RolloverMonitor {
     rolled_over_ = rolled_over_ || rolled_again || (rolls_ > 0 && tilt > kRolledOverTilt);
     if (releases_legs()) {
       release_time_left_ -= dt;
-      if (!releases_legs()) initial_tilt_ = tilt;  // the pose after the release
+      // The release has ended: take this pose as initial pose.
+      if (!releases_legs()) initial_tilt_ = tilt;
       return;
     }
     if (rolls_ == kMaxRolls || !(tilt > kRollTilt && tilt > initial_tilt_ + kMinTiltIncrease))
@@ -42,27 +43,28 @@ class RolloverMonitor {
   bool rolled_over() const noexcept { return rolled_over_; }
 
  private:
-  // Chosen between tilts measured with benchmarks/false_trips.py (docs/faults.md): no trip of a go2
-  // in 515 rises.
-  // [rad] 25 degrees: tilt above which a body may roll; same as kMaxTilt of ArmingChecks.
+  // The limits are chosen between tilts measured with benchmarks/false_trips.py (docs/faults.md):
+  // no trip of a go2 in 515 rises.
+  //
+  // [rad] 25 degrees: tilt above which the body may be rolling; same as kMaxTilt of ArmingChecks.
   static constexpr double kRollTilt = 0.44;
-  // [rad] 7 degrees: increase of the tilt above which the body rolls.
+  // [rad] 7 degrees: the body rolls if its tilt has grown by more than this.
   static constexpr double kMinTiltIncrease = 0.12;
-  // [s] Duration of a release, until the body lies again.
+  // [s] Duration of a release. After this time the body lies again.
   static constexpr double kReleaseTime = 1.0;
-  // [rad] 42 degrees: tilt above which the body has rolled over. Must exceed 0.7, from which
-  // healthy robots fall back after a release.
+  // [rad] 42 degrees: tilt above which the body has rolled over, if it has rolled before. Larger
+  // than 0.7, from which healthy robots fall back after a release.
   static constexpr double kRolledOverTilt = 0.74;
   // [rad] 39.5 degrees: roll angle above which the body has rolled over after two releases. Healthy
-  // robots do not roll that far again. They may pitch that far on a front leg caught below the
-  // body, and come down when the leg comes free.
+  // robots do not roll that far again. They may pitch that far on a front leg that is caught below
+  // the body, and come down when the leg comes free.
   static constexpr double kRepeatedRoll = 0.69;
   static constexpr int kMaxRolls = 2;  // largest number of releases
 
-  double initial_tilt_ = 0.0;  // [rad] tilt at the start, then after each release
+  double initial_tilt_ = 0.0;  // [rad] tilt at the start or after the last release
   int rolls_ = 0;
   bool rolled_over_ = false;
-  double release_time_left_ = 0.0;  // [s] until the release ends
+  double release_time_left_ = 0.0;  // [s] time until the release ends
 };
 
 }  // namespace surefoot
