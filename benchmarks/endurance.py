@@ -36,11 +36,8 @@ from surefoot.sim import Plant, PlantSettings
 
 CONTROL_PERIOD = 0.002  # [s] time between two ticks
 SETTLE_TIME = 10.0  # [s] time at which the reference pose and the reference memory are taken
-DRIFT_TICKS, MEMORY_TICKS, HOUR_TICKS = (
-    50,
-    30_000,
-    1_800_000,
-)  # [ticks] interval of the pose checks and of the memory checks, and number of ticks per hour
+# [ticks] Interval of the pose checks, interval of the memory checks, and number of ticks per hour.
+DRIFT_TICKS, MEMORY_TICKS, HOUR_TICKS = 50, 30_000, 1_800_000
 TICK_WRAP = 2**32  # [ms] value at which LowState.tick starts again from 0
 # Allowed differences from the pose at SETTLE_TIME; positions are relative to the mean of the feet.
 LIMITS = {
@@ -61,9 +58,13 @@ def angle_deg(a: np.ndarray, b: np.ndarray) -> float:
 
 @dataclass(frozen=True)
 class Pose:
-    """True pose: feet (3, 4) [m], attitude, and two values relative to the mean of the feet.
+    """True pose of a robot.
 
-    These values are the height of the base [m] and the centre of mass (3,) [m].
+    Attributes:
+        feet: (3, 4) foot centres in the world frame [m].
+        height: Height of the base above the mean of the feet [m].
+        R_world_base: (3, 3) attitude of the base.
+        com: (3,) centre of mass relative to the mean of the feet, world axes [m].
     """
 
     feet: np.ndarray

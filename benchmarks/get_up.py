@@ -4,8 +4,8 @@
     python benchmarks/get_up.py --robot go1 --count 1000 --jobs 2 --json FILE
 
 Each seed drops the robot with random leg angles (Plant.reset_lying) and real sensors. A Supervisor
-then lets it rise at power level 1 (b1: 10). A run passes if the robot stands still 1.5 s later and
-the power protection never tripped.
+then lets it rise at power level 1 (b1: 10). A run passes if the robot stands still 1.5 s after the
+rise and the power protection never tripped.
 """
 
 from __future__ import annotations

@@ -36,10 +36,8 @@ PUSH_TIME = 0.1  # [s] duration of a push
 KNOTS = 80  # number of knots after which the robot must be at rest
 FORCE_UNIT, TORQUE_UNIT = 10.0, 5.0  # [N], [N.m] units of the optimisation variables
 IMPULSE_WEIGHT = 0.1  # [1/(N.s)] weight of the impulse in the cost
-REGULARISATION = (
-    1e-5,
-    1e-6,
-)  # weights of squared velocities and scaled torques, which make the optimum unique
+# Weights of squared velocities and of squared scaled torques; they make the optimum unique.
+REGULARISATION = (1e-5, 1e-6)
 IPOPT = {
     "max_iter": 600,
     "print_level": 0,

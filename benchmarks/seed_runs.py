@@ -23,7 +23,7 @@ from surefoot.system.worker_processes import killable_pool
 ROBOTS = tuple(available_robots())
 
 Job = tuple[str | int, ...]
-"""Arguments of a run: its subject, such as the robot's name, and as the last one the seed."""
+"""Arguments of a run. The last argument is the seed; the others name the subject, as the robot."""
 
 
 @dataclass

@@ -29,7 +29,7 @@ from surefoot.tune.search.rollout import TrialJob, cached_plant, evaluate_exclus
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
-PORT = 8796
+PORT = 8796  # TCP port of the Dask scheduler
 SEEDS = 2  # number of episodes per trial
 
 

@@ -13,19 +13,13 @@ import numpy as np
 
 from estimation.log_rows import Array
 
-UNLOADED_BELOW, LOADED_ABOVE = (
-    0.05,
-    0.10,
-)  # load below which a foot is unloaded, and load above which it is loaded
-FAST_LOAD_CHANGE, FAST_LOAD_TIME = (
-    0.20,
-    0.020,
-)  # smallest load change of a fast transition, within this time [s]
+# Load below which a foot is unloaded, and load above which a foot is loaded.
+UNLOADED_BELOW, LOADED_ABOVE = 0.05, 0.10
+# A transition is fast if the load changes by at least the first value within the second value [s].
+FAST_LOAD_CHANGE, FAST_LOAD_TIME = 0.20, 0.020
 MIN_PHASE_TIME = 0.020  # [s] phases shorter than this are ignored
-MATCH_BEFORE, MATCH_AFTER = (
-    0.020,
-    0.300,
-)  # [s] window around a true transition in which an estimated transition matches
+# [s] Times before and after a true transition within which an estimated transition matches.
+MATCH_BEFORE, MATCH_AFTER = 0.020, 0.300
 IGNORED_START = 0.5  # [s] time at the start of a log in which no transition counts as false
 
 
@@ -119,8 +113,8 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
     matched = np.zeros(len(changes), bool)
     delays = []
     for k, transition in enumerate(truth):
-        # The next true transition has the opposite direction. So estimated changes before it belong
-        # to the present true transition.
+        # The next true transition has the opposite direction. So all estimated changes before the
+        # next one belong to the present true transition.
         end = truth[k + 1].row if k + 1 < len(truth) else len(share)
         start = transition.row - early
         end = max(start + 1, min(end, transition.row + late))

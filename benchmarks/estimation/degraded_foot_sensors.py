@@ -9,7 +9,7 @@ import numpy as np
 
 from estimation.log_rows import Array, Log
 
-FORCE_NOISE = 3.0  # [N] noise of footForceEst
+FORCE_NOISE = 3.0  # [N] standard deviation of the noise of footForceEst
 COUNT_OFFSET, COUNT_GAIN = (5.0, 50.0), (1.0, 2.0)  # [counts], [counts/N] ranges of offset and gain
 COUNT_NOISE = 2.0  # [counts] standard deviation of the noise
 COUNT_DRIFT = 5.0  # [counts] standard deviation of the random walk after a minute

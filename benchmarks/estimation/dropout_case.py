@@ -14,7 +14,7 @@ from estimation.row_selection import SETTLING_TIME, push_rows, row_at, rows_afte
 
 FREEZE_TIME = 0.050  # [s] duration for which the IMU is frozen
 FAULT_AFTER_PUSH = 0.05  # [s] time from the start of a push to the fault
-LOST_ROW_COUNT = 3
+LOST_ROW_COUNT = 3  # number of consecutive LowStates that are lost
 
 
 def dropout(robot: Robot, logs: dict[str, Log], seed: int) -> Result:

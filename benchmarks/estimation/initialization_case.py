@@ -14,10 +14,8 @@ from estimation.recording import sample_rate, select_rows
 from estimation.replay import replay
 from estimation.row_selection import push_rows, row_at, true_speed
 
-SPEED_TOLERANCE, TILT_TOLERANCE = (
-    0.05,
-    math.radians(1.0),
-)  # [m/s], [rad] errors below which the estimate has converged
+# [m/s], [rad] Errors below which the estimate has converged.
+SPEED_TOLERANCE, TILT_TOLERANCE = 0.05, math.radians(1.0)
 INITIAL_TILT_ERROR = math.radians(30.0)  # [rad] tilt error of the quaternion at the start
 
 

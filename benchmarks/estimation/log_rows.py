@@ -12,13 +12,28 @@ Array = npt.NDArray[Any]
 Log = dict[str, Array]
 """Rows of a run by name. Arrays are (n, k) or (n,), except the last five, which are single values.
 
-As the controller received them: tick (n,) [ms], accelerometer (n, 3), gyroscope (n, 3), quaternion
-(n, 4) w x y z, q dq tauEst (n, 12) in motor order, footForce footForceEst (n, 4). The truth at the
-time when the LowState was sampled: truth_p (n, 3) and truth_v (n, 3) of the base's origin,
-truth_quaternion (n, 4) w x y z and truth_com (n, 3), all in the world; truth_q truth_dq (n, 12);
-truth_foot_forces (n, 12), ground on foot, x y z of FR FL RR RL; truth_contact (n, 4). Single
-values: truth_gyro_bias and truth_accelerometer_bias (3,) in base axes, push_times (k,) [s] since
-the first row, weight () [N] of the model, fell ().
+Values that the controller received:
+
+- tick (n,) [ms]
+- accelerometer and gyroscope (n, 3), quaternion (n, 4) w x y z
+- q, dq and tauEst (n, 12) in motor order
+- footForce and footForceEst (n, 4)
+
+The truth at the time when the LowState was sampled:
+
+- truth_p, truth_v and truth_com (n, 3): position and velocity of the base's origin, and centre of
+  mass, in the world frame
+- truth_quaternion (n, 4) w x y z, base to world
+- truth_q and truth_dq (n, 12) in motor order
+- truth_foot_forces (n, 12): force of the ground on the feet, x y z of FR FL RR RL
+- truth_contact (n, 4)
+
+Single values:
+
+- truth_gyro_bias and truth_accelerometer_bias (3,) in base axes
+- push_times (k,) [s] since the first row
+- weight () [N] of the model
+- fell ()
 """
 
 _SENSORS = ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceEst")

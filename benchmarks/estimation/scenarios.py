@@ -12,10 +12,8 @@ from surefoot.stand import PushRequest, ReferenceRequest
 from estimation.recording import Scenario
 from estimation.stepping import Step
 
-GYRO_BIAS_SIGMA, ACCELEROMETER_BIAS_SIGMA = (
-    0.01,
-    0.1,
-)  # [rad/s], [m/s^2] standard deviation of random biases
+# [rad/s], [m/s^2] Standard deviations of random biases.
+GYRO_BIAS_SIGMA, ACCELEROMETER_BIAS_SIGMA = 0.01, 0.1
 LARGE_GYRO_BIAS, LARGE_ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] in the scenario bias
 PUSH_PERCENT, SHOVE_PERCENT = 60.0, 70.0  # [% of the LIP push limit] impulses of the pushes
 PUSH_TIMES = (1.5, 3.5, 5.5, 7.5)  # [s] start of each push
@@ -27,27 +25,27 @@ REFERENCE_INTERVAL = 1.0  # [s] time between two body references
 
 
 def quiet(robot: str, seed: int) -> Scenario:
-    """Stand for a minute."""
+    """Return the scenario of standing for a minute."""
     return Scenario(robot, 60.0, PlantSettings(seed=seed))
 
 
 def quiet_long(robot: str, seed: int) -> Scenario:
-    """Stand for ten minutes."""
+    """Return the scenario of standing for ten minutes."""
     return Scenario(robot, 600.0, PlantSettings(seed=seed))
 
 
 def push60(robot: str, seed: int) -> Scenario:
-    """Four pushes at 60 % of the LIP push limit in random directions, with random biases."""
+    """Return a scenario with pushes of 60 % of the LIP push limit, and with random biases."""
     return _pushed(robot, seed, PUSH_PERCENT, 10.0)
 
 
 def shove(robot: str, seed: int) -> Scenario:
-    """Four pushes at 70 % of the LIP push limit, for replays that start in motion."""
+    """Return a scenario with pushes of 70 % of the LIP push limit, for replays from motion on."""
     return _pushed(robot, seed, SHOVE_PERCENT, 10.0)
 
 
 def lifts(robot: str, seed: int) -> Scenario:
-    """External lifts of the trunk: five fast lifts, then a slow lift."""
+    """Return a scenario with external lifts of the trunk: five fast lifts, then a slow lift."""
     rng = np.random.default_rng([seed, 1])
     lifts = [
         Lift(
@@ -60,7 +58,7 @@ def lifts(robot: str, seed: int) -> Scenario:
 
 
 def feet(robot: str, seed: int) -> Scenario:
-    """External lifts of each foot: three fast lifts, then a slow lift."""
+    """Return a scenario with external lifts of each foot: three fast lifts, then a slow lift."""
     rng = np.random.default_rng([seed, 2])
     lifts, time = [], 1.5
     for part in LIFT_PARTS[1:]:
@@ -73,7 +71,7 @@ def feet(robot: str, seed: int) -> Scenario:
 
 
 def steps(robot: str, seed: int) -> Scenario:
-    """Fast steps: the robot lifts each foot three times and puts it down."""
+    """Return a scenario with fast steps: the robot lifts each foot three times."""
     rng = np.random.default_rng([seed, 4])
     steps, time = [], 1.5
     for foot in np.tile(np.arange(4), 3):
@@ -83,7 +81,7 @@ def steps(robot: str, seed: int) -> Scenario:
 
 
 def bias(robot: str, seed: int) -> Scenario:
-    """Ten seconds at rest with large biases of random signs, then roll, pitch and yaw motions."""
+    """Return a scenario with large biases: ten seconds at rest, then roll, pitch, yaw motions."""
     signs = np.random.default_rng([seed, 3]).choice([-1.0, 1.0], 6)
     gyro, accelerometer = LARGE_GYRO_BIAS * signs[:3], LARGE_ACCELEROMETER_BIAS * signs[3:]
     flaws = Flaws(_as_tuple(gyro), _as_tuple(accelerometer))

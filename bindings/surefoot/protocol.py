@@ -4,11 +4,14 @@ A frame is shorter than its struct: it carries tau, Kp, Kd and tauEst as 16-bit 
 There are four generations of SDK and robots, whose frames are not compatible. Real-time: no;
 surefoot/frames.hpp does the same in C++ without allocation.
 
-generation  robots, SDK releases               LowCmd  LowState
-a1-v3.3     A1 v3.2 - v3.3.4, Aliengo             610       771
-go1-v3.4    Go1 v3.3.2, 3.4.2                     602       795
-go1-v3.8    Go1 v3.5 - v3.8, branch go1           614       807
-b1-v3.8     B1 v3.8.1, v3.8.3, branch B1          614       839
+==========  =============================  ==============  ================
+generation  robots, SDK releases           LowCmd [bytes]  LowState [bytes]
+==========  =============================  ==============  ================
+a1-v3.3     A1 v3.2 - v3.3.4, Aliengo      610             771
+go1-v3.4    Go1 v3.3.2, 3.4.2              602             795
+go1-v3.8    Go1 v3.5 - v3.8, branch go1    614             807
+b1-v3.8     B1 v3.8.1, v3.8.3, branch B1   614             839
+==========  =============================  ==============  ================
 """
 
 from __future__ import annotations
@@ -100,7 +103,17 @@ def encode_low_state(
 ) -> Frame:
     """Encode a LowState as a frame with CRC.
 
-    As encode_low_cmd(). ddq has a resolution of 1 rad/s^2, cell voltages of 32 mV.
+    Torques are truncated and values out of range saturate as in encode_low_cmd(). ddq has a
+    resolution of 1 rad/s^2, cell voltages of 32 mV.
+
+    Args:
+        state: The LowState.
+        generation: One of GENERATIONS.
+        extras: Fields of the generation that LowState lacks; None uses state.extras if state has
+            them.
+
+    Raises:
+        Error: The generation is unknown, or a number is NaN or infinite; the message names it.
     """
     return _frame(*_core._encode_low_state(state, _extras_of(state, extras), generation))
 
@@ -123,14 +136,26 @@ def decode_low_cmd(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowCmd
 
 
 def decode_low_state(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowState:
-    """Decode the LowState in a frame; errors as decode_low_cmd()."""
+    """Decode the LowState in a frame.
+
+    Args:
+        frame: Bytes of one datagram.
+        generation: One of GENERATIONS.
+
+    Raises:
+        Error: The same errors as in decode_low_cmd().
+    """
     state = ReceivedLowState()
     _core._decode_low_state(_as_bytes(frame), generation, state, state.extras)
     return state
 
 
 def frame_sizes(generation: str) -> tuple[int, int]:
-    """Return the lengths of a LowCmd and a LowState frame [bytes]. Raises Error."""
+    """Return the lengths of a LowCmd and a LowState frame [bytes].
+
+    Raises:
+        Error: The generation is unknown.
+    """
     return _core._frame_sizes(generation)
 
 

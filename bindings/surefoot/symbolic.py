@@ -38,7 +38,11 @@ __all__ = [
 
 
 def mass_matrix(robot: Robot) -> casadi.Function:
-    """Return the mass matrix M(q), shape (nv, nv), with armature; raises Error without CasADi."""
+    """Return the mass matrix M(q), shape (nv, nv), with armature.
+
+    Raises:
+        Error: CasADi is missing.
+    """
     return _function(robot, "mass_matrix")
 
 
@@ -52,14 +56,21 @@ def bias(robot: Robot) -> casadi.Function:
 
 
 def inverse_dynamics(robot: Robot) -> casadi.Function:
-    """Return tau(q, v, a) = M a + h, shape (nv,) [N, N.m]; raises Error without CasADi."""
+    """Return tau(q, v, a) = M a + h, shape (nv,) [N, N.m].
+
+    Raises:
+        Error: CasADi is missing.
+    """
     return _function(robot, "inverse_dynamics")
 
 
 def forward_dynamics(robot: Robot) -> casadi.Function:
-    """Return a(q, v, tau) = M^-1 (tau - h), shape (nv,); raises Error without CasADi.
+    """Return a(q, v, tau) = M^-1 (tau - h), shape (nv,) [m/s^2, rad/s^2].
 
     With contact forces f on the feet, pass tau = (0, joint torques) + foot_jacobian^T f.
+
+    Raises:
+        Error: CasADi is missing.
     """
     return _function(robot, "forward_dynamics")
 
@@ -89,37 +100,60 @@ def forward_dynamics_derivatives(robot: Robot) -> casadi.Function:
 
 
 def foot_positions(robot: Robot) -> casadi.Function:
-    """Return the foot centres p(q), shape (3, 4) [m], one foot per column; raises Error."""
+    """Return the foot centres p(q), shape (3, 4) [m], one foot per column.
+
+    Raises:
+        Error: CasADi is missing.
+    """
     return _function(robot, "foot_positions")
 
 
 def foot_jacobian(robot: Robot) -> casadi.Function:
-    """Return J(q), shape (12, nv): foot centres have velocity J v [m/s], three rows per foot."""
+    """Return J(q), shape (12, nv): foot centres have velocity J v [m/s], three rows per foot.
+
+    Raises:
+        Error: CasADi is missing.
+    """
     return _function(robot, "foot_jacobian")
 
 
 def foot_drifts(robot: Robot) -> casadi.Function:
-    """Return the drift dJ/dt v of (q, v), shape (3, 4) [m/s^2], one foot per column; raises Error.
+    """Return the drift dJ/dt v of (q, v), shape (3, 4) [m/s^2], one foot per column.
 
     The acceleration of the foot centres is J a + drift, with a = dv/dt.
+
+    Raises:
+        Error: CasADi is missing.
     """
     return _function(robot, "foot_drifts")
 
 
 def center_of_mass(robot: Robot) -> casadi.Function:
-    """Return the centre of mass p_com(q), shape (3,) [m]; raises Error without CasADi."""
+    """Return the centre of mass p_com(q), shape (3,) [m].
+
+    Raises:
+        Error: CasADi is missing.
+    """
     return _function(robot, "center_of_mass")
 
 
 def centroidal_matrix(robot: Robot) -> casadi.Function:
-    """Return A(q), shape (6, nv), with centroidal_momentum = A v; raises Error without CasADi."""
+    """Return A(q), shape (6, nv), with centroidal_momentum = A v.
+
+    Raises:
+        Error: CasADi is missing.
+    """
     return _function(robot, "centroidal_matrix")
 
 
 def centroidal_momentum(robot: Robot) -> casadi.Function:
     """Return the momentum about the centre of mass as a function of (q, v), shape (6,).
 
-    Linear [kg.m/s], then angular [kg.m^2/s] (Orin, Goswami and Lee 2013, eq. 1); raises Error.
+    The first three components are the linear momentum [kg.m/s], the last three the angular momentum
+    [kg.m^2/s]. Source: Orin, Goswami and Lee 2013, eq. 1.
+
+    Raises:
+        Error: CasADi is missing.
     """
     return _function(robot, "centroidal_momentum")
 

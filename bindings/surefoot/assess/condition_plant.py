@@ -18,7 +18,7 @@ from surefoot.sim.settings import COARSE_DT
 STEP_RISE_TIME = 0.5
 
 RobotSource = str | tuple[str, str]
-"""A robot's name, or the paths of its URDF and TOML; picklable, so worker processes can have it."""
+"""A robot's name, or the paths of its URDF and TOML. Can be pickled for worker processes."""
 
 
 def describe_source(source: RobotSource) -> RobotDescription:
@@ -71,7 +71,8 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
 def loop_delay(plant: Plant) -> float:
     """Return the delay from a measurement until the resulting command acts [s]."""
     settings = plant.settings
-    # Plant.step() rounds the extra delay to whole physics steps.
+    # Real sensors delay samples and commands by one control period each. Plant.step() rounds the
+    # extra delay to whole physics steps.
     extra = round(settings.extra_delay / settings.physics_dt) * settings.physics_dt
     return (2.0 if settings.real else 0.0) / settings.control_rate + extra
 

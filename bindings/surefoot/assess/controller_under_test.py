@@ -39,9 +39,10 @@ class ControllerUnderTest:
         name: One of BUILT_IN_CONTROLLERS, or MODULE:CALLABLE. If `factory` is set: any name that is
             not built in.
         gains: All gains by name, only for "surefoot"; empty: the robot's own gains.
-        factory: Function that constructs the controller. Its argument is the surefoot.Robot, and
-            also delay=, if it has this parameter. It returns a callable LowState -> LowCmd, or an
-            object whose method update() is such a callable. None: `name` selects the factory.
+        factory: Function that constructs the controller. It receives the surefoot.Robot and, if it
+            has a parameter `delay`, also the delay of the loop [s]. It returns a callable LowState
+            -> LowCmd, or an object whose method update() is such a callable. None: `name` selects
+            the factory.
     """
 
     name: str = "surefoot"

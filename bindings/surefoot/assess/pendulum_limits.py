@@ -81,6 +81,7 @@ def force_limited_impulse(
 def _survives(
     p: Pendulum, max_brake_force: float, force: float, duration: float, push_height: float
 ) -> bool:
+    """Return True if the pendulum survives a push with a constant force [N]."""
     x, v = _state_after_push(p, max_brake_force, force, duration, push_height)
     most = max_brake_force / p.mass  # [m/s^2] largest deceleration that B allows
     w2 = GRAVITY / p.com_height

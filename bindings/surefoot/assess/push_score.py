@@ -14,7 +14,7 @@ from surefoot.assess.work_units import PushUnit
 
 CRITERIA = {"survive": "survived", "strict": "in_place"}
 # Smallest number of seeds for a 5th percentile; for fewer seeds the statistic is the minimum.
-# Derived: 1 / 0.05, the number of seeds of which one is 5 %.
+# Derived: 1 / 0.05, so that one seed is 5 % of the seeds.
 MIN_PERCENTILE_SEEDS = 20
 
 UnitResults = Mapping[str, dict[str, Any]]

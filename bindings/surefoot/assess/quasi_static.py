@@ -21,10 +21,10 @@ CONE_EDGES = 16
 def quasi_static_force(stance: StanceModel, direction_deg: float, friction: float) -> float:
     """Compute the largest horizontal force at the centre of mass that allows equilibrium [N].
 
-    Solves a linear problem over this force F and the contact forces f of the four feet. Its
-    constraints: forces and moments about the centre of mass balance, f is inside the friction
-    cones, and the joint torques |g - J' f| are within the motor limits at rest. Without the limits
-    of friction and torque the result would be m g d / h.
+    The function maximises this force F by linear programming; the other variables are the contact
+    forces f of the four feet. The constraints are: forces and moments about the centre of mass
+    balance, f is inside the friction cones, and the joint torques g - J' f are within the motor
+    limits at rest. Without the limits of friction and torque the result would be m g d / h.
 
     Args:
         stance: Model of the standing robot.

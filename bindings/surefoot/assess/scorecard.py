@@ -12,8 +12,8 @@ from surefoot.robot.robot_toml import read_toml, suggest
 from surefoot.robot.setting_checks import check_integer, check_numbers, check_unique
 
 NOMINAL_CONDITION = "level ground"
-# Duration [s] and height [m] of the push that all standard scorecards have. Chosen: the duration is
-# between that of an impact and the LIP time constant, 0.2 s.
+# Duration [s] and height [m] of the push that all standard scorecards contain. Chosen: longer than
+# an impact, shorter than the time constant of the LIP (0.2 s).
 STANDARD_PUSH = (0.1, 0.0)
 # Sanity limits.
 MAX_COUNT = 1000  # largest number of directions or seeds

@@ -38,8 +38,8 @@ class AssessSettings:
     controller_under_test: ControllerUnderTest = field(default_factory=ControllerUnderTest)
     card: Scorecard = field(default_factory=lambda: standard_scorecard("quick"))
     jobs: int = 1
-    # Chosen. Far longer than the wall time of a run of 3.5 simulated seconds, 0.24 to 0.4 s
-    # (docs/assess.md). If larger: a controller that never returns blocks its worker for longer.
+    # Chosen: far longer than a run of 3.5 simulated seconds takes (0.24 to 0.4 s). With a larger
+    # value, a controller that never returns would block its worker for longer.
     deadline: float = 60.0
     store: str | None = None
 

@@ -37,7 +37,7 @@ class WorkItem:
 
 
 class Worker:
-    """A worker process, its current work, and the time by which it must send a heartbeat.
+    """A worker process, its current work, and the time by which its next heartbeat is due.
 
     Attributes:
         pipe: Connection to the process; closed after the process has ended.

@@ -1,4 +1,7 @@
-"""Recording of a simulated run's LowStates before the timing, which simulation would disturb."""
+"""Recording of the LowStates of a simulated run.
+
+Simulation would disturb the timing of ticks, so the run is recorded first and timed later.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Run the C++ executable that times ticks.
 
-The executable contains no Python, so it counts only the tick's heap allocations and page faults.
+The executable contains no Python, so all counted heap allocations and page faults are of the tick.
 """
 
 from __future__ import annotations

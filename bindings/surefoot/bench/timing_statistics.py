@@ -34,7 +34,7 @@ def histogram(durations: npt.ArrayLike) -> list[int]:
 
 
 def slowest_tick(durations: npt.NDArray[np.float32], reports: int) -> float:
-    """Return the duration [us] of the slowest tick, each tick by its median over all passes.
+    """Return the duration of the slowest tick [us]: the largest of all ticks' medians over passes.
 
     The machine causes most of the longest single durations. A tick that is slow in most passes is
     slow because of the controller.
@@ -43,7 +43,12 @@ def slowest_tick(durations: npt.NDArray[np.float32], reports: int) -> float:
 
 
 def series_statistics(series: Series, reports: int) -> dict[str, Any]:
-    """Return the figures of a series as JSON values; `reports` is the number of ticks per pass."""
+    """Return the figures of a series as JSON values.
+
+    Args:
+        series: Timings of one kind of call.
+        reports: Number of ticks per pass over the recording.
+    """
     figures: dict[str, Any] = {
         "wall_us": distribution(series.wall),
         "slowest_us": slowest_tick(series.wall, reports),

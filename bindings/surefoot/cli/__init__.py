@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from surefoot._core import Error
 from surefoot.cli.arguments import parse_arguments
 
+# Exit statuses.
 DONE = 0
 WRONG_ARGUMENT = 2
 INTERRUPTED = 130

@@ -7,7 +7,7 @@ import argparse
 from surefoot._core import Error, QpForm
 from surefoot.cli.stand import read_form
 
-# For each form of the command: the options that have no effect in it.
+# Options without effect, by form of the command.
 _INEFFECTIVE_OPTIONS = {
     "--export": ("--solvers", "--ticks", "--peers", "--json", "--report"),
     "--solvers": ("--ticks", "--peers", "--report", "--urdf", "--config", "--qpbenchmark"),

@@ -25,7 +25,7 @@ from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 if TYPE_CHECKING:
     from surefoot.faults import FaultSettings
 
-FAILED = 4
+FAILED = 4  # exit status if a cell failed
 _EPILOG = """\
 Injects every fault of the catalogue (off, stuck, garbage, wrong, slow, delayed or intermittent,
 where applicable) while the robot lies, rises, stands and is pushed, with real sensors at 500 Hz. A

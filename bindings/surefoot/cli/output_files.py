@@ -54,7 +54,7 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
     if place == "-":
         sys.stdout.write(text)
         return
-    write_text_atomically(Path(place), text)  # atomic: a second Ctrl-C may interrupt it
+    write_text_atomically(Path(place), text)  # atomic: a second Ctrl-C may interrupt
 
 
 def check_report_folder(folder: str | None, command: str, module: str) -> None:

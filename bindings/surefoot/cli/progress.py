@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-WIDTH = 30
+WIDTH = 30  # [characters] width of the bar
 
 
 def progress_bar() -> Callable[[str, int, int], None] | None:

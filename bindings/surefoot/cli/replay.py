@@ -12,7 +12,7 @@ from surefoot.replay import Recording, Replay, play, read_recording
 from surefoot.replay.build_id import build_id
 from surefoot.robot.loading import build_robot
 
-DIFFERS = 4
+DIFFERS = 4  # exit status if the commands differ
 _EPILOG = """\
 The log holds all inputs of the controller: its gains and options, every LowState, and the requests
 in between. Commands are bit-identical on the same build of the library and the same machine.

@@ -27,8 +27,8 @@ from surefoot.protocol import default_generation
 from surefoot.robot.loading import build_robot
 from surefoot.system.terminal import LinePrinter, has_keyboard
 
-ENDED_DAMPED = 3
-NO_ROBOT = 1
+ENDED_DAMPED = 3  # exit status if the robot did not stand until the requested end
+NO_ROBOT = 1  # exit status if no robot of the right generation answered
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -10,8 +10,9 @@ from collections.abc import Callable
 
 from surefoot.system.terminal import has_keyboard
 
-# Chosen: a person types fewer Ctrl-D in a row.
-_MAX_EOFS = 3  # EOFs in a row after which the terminal counts as closed; Ctrl-D gives one EOF
+# Number of EOFs in a row after which the terminal counts as closed. Ctrl-D gives one EOF. Chosen: a
+# person does not type three Ctrl-D in a row.
+_MAX_EOFS = 3
 
 
 class KeyboardLines:

@@ -14,8 +14,9 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sensor_log.column_definitions import RUN_PREFIX
 from surefoot.sensor_log.columns_from_low_states import sensor_columns
 
-# Chosen: the run before a fault; bounds the memory.
-LOG_TIME = 60.0  # [s] default of --log-time, the duration that the log covers
+# [s] Default of --log-time, the duration that the log covers. Chosen: it includes what led to a
+# fault, and bounds the memory.
+LOG_TIME = 60.0
 
 
 def check_log(path: str | None, time: float | None) -> None:
@@ -32,7 +33,7 @@ def check_log(path: str | None, time: float | None) -> None:
 def write_run_log(path: str, log: RunLog) -> float:
     """Write the samples and commands of a run as a sensor log.
 
-    The file has the columns of a sensor log and the arrays run_... (docs/estimation.md).
+    The file has the columns of a sensor log, and arrays whose names begin with ``run_``.
 
     Returns:
         Duration [s] that the log covers.

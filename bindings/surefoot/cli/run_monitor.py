@@ -13,13 +13,13 @@ from surefoot.cli.run_operator import ArmingMonitor, Operator
 from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
 from surefoot.reports.damping_reason import damping_reason
 
-# [s] Time between two snapshots of the loop. Chosen. Shorter than the 0.05 s of published snapshots
-# (kPublishPeriod).
+# [s] Time between two snapshots of the loop. Chosen: shorter than the 0.05 s after which the loop
+# publishes a new snapshot (kPublishPeriod).
 _POLL_PERIOD = 0.02
 # Chosen for a person.
 _STATUS_PERIOD = 1.0  # [s] time between two status lines
-# [s] Time between two polls above which typed keys are discarded. Chosen. Longer than delays by the
-# load of the machine. If larger: a key acts unexpectedly late.
+# [s] Time between two polls above which typed keys are discarded. Chosen: longer than the delays
+# that a loaded machine causes. With a larger value, a key could act unexpectedly late.
 _STUCK_TIME = 0.5
 _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -31,7 +31,7 @@ def supervise(
     rise: bool = False,
     automatic: bool = False,
 ) -> RunSnapshot:
-    """Run the control loop in its own thread; poll it, the keyboard and signals from this thread.
+    """Run the control loop in its own thread; poll loop, keyboard and signals from this thread.
 
     SIGINT, SIGTERM and SIGHUP finish the run: see StandRunner.finish(). A second one of these
     signals damps at once. SIGUSR1 arms again. SIGQUIT damps at once.

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from surefoot.stand import StandSettings
 
 
-FELL = 3
+FELL = 3  # exit status if the robot fell
 
 
 def stand(arguments: argparse.Namespace) -> int:

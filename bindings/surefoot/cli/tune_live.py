@@ -22,8 +22,8 @@ from surefoot.system.terminal import LinePrinter
 if TYPE_CHECKING:
     from surefoot.tune.live.session import Session
 
-# Low-level port of unitree_legged_sdk.
-ROBOT_PORT = 8007  # UDP port of the robot, used if --host gives no port
+# UDP port of the robot if --host gives no port: the low-level port of unitree_legged_sdk.
+ROBOT_PORT = 8007
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -16,8 +16,8 @@ from surefoot.system.terminal import LinePrinter
 if TYPE_CHECKING:
     from surefoot.virtual_robot import VirtualRobotSettings
 
-# Chosen: bounds the file; docs/virtual-robot.md.
-LOG_RATE = 100.0  # [Hz] default of --log-rate
+# [Hz] Default of --log-rate. Chosen: it bounds the size of the file.
+LOG_RATE = 100.0
 
 
 def robot(arguments: argparse.Namespace) -> None:

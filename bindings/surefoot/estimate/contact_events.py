@@ -10,8 +10,9 @@ from surefoot.estimate.estimate_result import Estimate
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 
-# Contact confidence: more likely than not.
-THRESHOLD = 0.5  # contact confidence and slip value above which the estimate says yes
+# Value of contact confidence or slip above which a foot counts as in contact or slipping. Chosen:
+# more likely than not.
+THRESHOLD = 0.5
 
 
 @dataclass(frozen=True)

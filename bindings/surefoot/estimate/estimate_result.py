@@ -43,8 +43,8 @@ class Estimate:
         std: (m, 15) standard deviations of the errors of rotation (world axes) [rad], v_world
             [m/s], p_world [m], gyroscope bias [rad/s], accelerometer bias [m/s^2].
         rotation_covariance: (m, 3, 3) covariance of the rotation error, world axes [rad^2].
-        gyroscope_bias: (m, 3) base axes [rad/s].
-        accelerometer_bias: (m, 3) base axes [m/s^2].
+        gyroscope_bias: (m, 3) estimated bias of the gyroscope, base axes [rad/s].
+        accelerometer_bias: (m, 3) estimated bias of the accelerometer, base axes [m/s^2].
         nis: (m,) normalised innovation squared.
         nis_dimension: (m,) dimension of the innovation.
         slip: (m, 4) how sure the estimator is that a loaded foot slips, 0 .. 1.

@@ -8,10 +8,11 @@ import numpy as np
 
 from surefoot.geometry.batch_rotations import Array
 
-# Derived from delay and noise:
-CUTOFF_HZ = 50.0  # [Hz] delays dq by 3 ms; encoder steps of 3e-5 rad at 500 Hz give 0.004 rad/s
-# [s] Time after which a joint with a repeated angle counts as still. Chosen. Five samples at 500
-# Hz. If larger: a joint that stops drifts on.
+# [Hz] Cut-off of the low-pass. Chosen: it delays dq by 3 ms, and encoder steps of 3e-5 rad at
+# 500 Hz give a noise of 0.004 rad/s.
+CUTOFF_HZ = 50.0
+# [s] Time after which a joint with a repeated angle counts as still. Chosen: five samples at
+# 500 Hz. With a larger value, the velocity of a stopped joint stays above zero for longer.
 HOLD_TIME = 0.010
 METHOD = (
     f"from q: differences between samples, causal first-order low-pass at {CUTOFF_HZ:g} Hz; a "

@@ -29,7 +29,7 @@ def run_estimator(
     """Run the state estimator over a log.
 
     For each row the estimator receives a LowState with the sensor columns, and the time since the
-    last accepted row, limited to 0.1 s. It never receives the columns truth_... . A row that
+    last accepted row, limited to 0.1 s. It never receives the columns ``truth_...``. A row that
     repeats the clock is skipped. Columns that the log lacks are zeros, except dq:
     derive_velocities() computes dq from q.
 
@@ -96,7 +96,7 @@ def _run_rows(
     recorder: EstimateRecorder,
     progress: Progress | None,
 ) -> None:
-    # Skip rows with a NaN foot force: in the integer field of a LowState it would be a number.
+    # Skip rows with a NaN foot force: the integer field of a LowState cannot hold NaN.
     foot_forces_finite = np.ones(log.rows, dtype=np.bool_)
     for name in FOOT_COLUMNS:
         if name in log.columns:

@@ -18,8 +18,8 @@ from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS, COLUMN_BY_NAME
 
-# [s] Time between two points of the polyline whose length is computed. Chosen. If smaller: noise of
-# the estimate adds length. If larger: turns are cut.
+# [s] Time between two points of the polyline whose length is computed. Chosen: with less time,
+# noise of the estimate adds length, and with more time, the polyline cuts corners.
 PATH_INTERVAL = 0.1
 
 

@@ -12,19 +12,17 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rpy_fro
 from surefoot.messages.low_state_layout import LEGS
 
 GRAVITY = 9.81
-# Chosen. The range begins earlier than the estimate for a foot that is unloaded slowly, and ends
-# later than the slowest detection.
-MATCH_BEFORE, MATCH_AFTER = (
-    -0.1,
-    0.3,
-)  # [s] range of the delay from a true transition to an estimated transition that matches
-# [N] Force above which a foot is loaded, in a log without truth_contact. Chosen. Larger than the
-# rounding of a simulation, far smaller than the weight of a foot.
+# [s] Smallest and largest delay from a true transition to an estimated transition that matches.
+# Chosen: the estimate precedes the truth by less than 0.1 s for a foot that is unloaded slowly, and
+# the slowest detection takes less than 0.3 s.
+MATCH_BEFORE, MATCH_AFTER = -0.1, 0.3
+# [N] Force above which a foot is loaded, in a log without truth_contact. Chosen: larger than the
+# rounding errors of a simulation, far smaller than the weight of a foot.
 MIN_CONTACT_FORCE = 1.0
 
 
 def truth_summary(estimate: Estimate) -> dict[str, Any]:
-    """Return the fields of the group Truth; a field is None if the log lacks its truth_ column."""
+    """Return the fields of the group Truth; a field is None if the log lacks its truth column."""
     return {
         "velocity_rmse": _velocity_rmse(estimate),
         "roll_pitch_rmse_deg": _tilt_rmse(estimate),

@@ -66,16 +66,16 @@ def case(
     """Return a case that has one expectation for most of its modes.
 
     Args:
-        injection: Attribute of Case.
-        description: Attribute of Case.
-        make_fault: Attribute of Case.
+        injection: See Case.
+        description: See Case.
+        make_fault: See Case.
         up: Expectation for the modes rising, standing and pushed.
         lying: Expectation for the mode lying; None: no cell for this mode.
         rising: Expectation for the mode rising; None: `up`.
         modes: Modes for which the case has cells.
-        refusal_text: Attribute of Case.
-        level: Attribute of Case.
-        slow_descent: Attribute of Case.
+        refusal_text: See Case.
+        level: See Case.
+        slow_descent: See Case.
         pushed: Expectation for the mode pushed; None: `up`.
     """
     expected = {mode: up for mode in modes}

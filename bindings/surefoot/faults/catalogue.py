@@ -48,7 +48,10 @@ class Cell:
 
     @property
     def id(self) -> str:
-        """ROW/INJECTION/MODE; if `number` is above 1, it follows INJECTION."""
+        """ROW/INJECTION/MODE, for example "quaternion/wrong2/rising".
+
+        `number` follows INJECTION if it is above 1.
+        """
         number = str(self.number) if self.number > 1 else ""
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
 
@@ -78,7 +81,7 @@ def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list
     """Return the cells that match any of the patterns; all cells if there are no patterns.
 
     Args:
-        patterns: Row ids, or ROW/INJECTION/MODE with the wildcards * and ?.
+        patterns: Row ids, or ROW/INJECTION/MODE with the wildcards ``*`` and ``?``.
         taken_over: True: choose only from the cells whose property starts_standing is True.
 
     Raises:

@@ -32,7 +32,8 @@ class Expectation:
             begins with the descent.
         fault: Name of the fault in fault_table() that the supervisor must report; "" for none.
         alternative: Name of a fault in fault_table(). If the supervisor detects this fault, damping
-            is a correct reaction too. For faults that only a moving robot can detect. "" for none.
+            is a correct reaction too. Needed for faults that the supervisor can only detect while
+            the robot moves. "" for none.
     """
 
     reaction: Reaction
@@ -42,7 +43,7 @@ class Expectation:
 
 
 WATCH = Expectation(Reaction.WATCH)
-REFUSE = Expectation(Reaction.REFUSE, 0.020)  # [s] kStaleTime (common/command_times.hpp)
+REFUSE = Expectation(Reaction.REFUSE, 0.020)  # within [s]: kStaleTime (common/command_times.hpp)
 
 
 def expect_damp(within: float) -> Expectation:
@@ -82,7 +83,7 @@ def table_expectation(fault: str, delay: float = 0.0) -> Expectation:
 def expect_sit(fault: str, delay: float = 0.0) -> Expectation:
     """Return the expectation that the robot sits down for a fault.
 
-    For faults that fault_table() lists with a weaker reaction, which applies to a standing robot.
+    fault_table() lists these faults with a weaker reaction, which is the one of a standing robot.
 
     Args:
         fault: Name of the fault.

@@ -9,16 +9,17 @@ import numpy.typing as npt
 
 from surefoot._core import Error
 
-# Chosen: an eighth of a period at 500 Hz. tests/closed_loop/test_delay_identification.py.
-_RESOLUTION = 0.25e-3  # [s] step between two delays that the search tries
-# [s] Interval of a torque change; motor lag blurs shorter changes. Chosen. Longer than a motor lag
-# of 1 to 4 ms. If larger: body motion changes tauEst by itself.
+# [s] Step between two delays that the search tries. Chosen: an eighth of a period at 500 Hz. Test:
+# tests/closed_loop/test_delay_identification.py.
+_RESOLUTION = 0.25e-3
+# [s] Interval of a torque change. Chosen: longer than a motor lag of 1 to 4 ms, which blurs shorter
+# changes. During a longer interval, body motion changes tauEst too.
 _DIFFERENCE_TIME = 0.01
-# [N.m] Smallest RMS torque change per tick that is more than noise. Chosen. Larger than the
+# [N.m] Smallest RMS torque change per tick that is more than noise. Chosen: larger than the
 # resolution of torques in a frame, 1/256 N.m.
 _MIN_TORQUE_CHANGE = 0.02
-# Smallest accepted result of _explained_share(). Chosen. Smaller than 1, the result without noise.
-# If smaller: a robot at rest or a wrong log, which explain less, are accepted.
+# Smallest accepted result of _explained_share(). Chosen: below 1, the result without noise, and
+# above the results for a robot at rest and for a wrong log.
 _MIN_FIT = 0.8
 
 Array = npt.NDArray[np.float64]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-# A level is 100 W (SDK). A b1 stands at level 1 but trips it in pushes (docs/first-day.md).
+# A level is 100 W (SDK). At level 1, a b1 stands, but pushes trip the protection
+# (docs/first-day.md).
 POWER_LEVELS = {"b1": 10}  # level by robot name; power_level() returns 1 for all others
 
 

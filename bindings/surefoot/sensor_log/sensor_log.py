@@ -16,7 +16,7 @@ class SensorLog:
 
     Attributes:
         source: Name of the file or process that the log comes from, for messages.
-        columns: Arrays (n, width) by name. Columns named truth_... never reach the estimator.
+        columns: Arrays (n, width) by name. Columns named ``truth_...`` never reach the estimator.
         time: (n,) time since the first row [s]; NaN where the clock is not finite.
         clock: Name of the column from which `time` is computed.
         ignored: Unknown names in the file.

@@ -23,8 +23,8 @@ def write_log(
     Args:
         path: The file.
         log: The log.
-        extras: Further arrays for an NPZ file, with names replay_... (replay/recording_file.py) or
-            run_...; a CSV file omits these arrays.
+        extras: Further arrays for an NPZ file, with names ``replay_...`` (see
+            replay/recording_file.py) or ``run_...``. A CSV file omits these arrays.
 
     Raises:
         Error: The suffix is neither .csv nor .npz.
@@ -44,7 +44,7 @@ def write_log(
 def _as_low_state_type(name: str, values: np.ndarray, width: int) -> np.ndarray:
     """Convert a column (n, width) to the type of its LowState field; return (n,) if width is 1.
 
-    An integer column with NaN or infinity keeps its type. So do `time` and truth_... columns.
+    An integer column with NaN or infinity keeps its type. So do `time` and ``truth_...`` columns.
     """
     integer_type = {"tick": np.uint32, "footForce": np.int16, "footForceEst": np.int16}.get(name)
     if integer_type is not None and np.isfinite(values).all():

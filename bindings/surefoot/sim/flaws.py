@@ -25,9 +25,9 @@ class Flaws:
     Attributes:
         gyro_bias: Gyroscope bias [rad/s].
         accelerometer_bias: Accelerometer bias [m/s^2].
-        torque_error: Bound on the constant relative torque error of each motor, drawn uniformly
-            from +- this value.
-        torque_scale: Further factor on the torques of all motors, like a wrong torque constant.
+        torque_error: Bound e of the constant relative torque error of each motor, which is drawn
+            uniformly from -e to e.
+        torque_scale: Additional factor on the torques of all motors, like a wrong torque constant.
         trunk_mass_scale: Factor on the trunk's mass and inertia.
         trunk_com_shift: Shift of the trunk's centre of mass, base frame [m].
     """
@@ -49,11 +49,13 @@ class Flaws:
 
 
 def draw_bias(bias: Bias, half_width: float, rng: np.random.Generator) -> Array:
-    """Return a bias (3,) in IMU axes. Three numbers are drawn from `rng` in every case.
+    """Return a bias (3,) in IMU axes.
+
+    Every call draws three numbers from `rng`, so later draws do not depend on the form of the bias.
 
     Args:
         bias: The bias, in one of the three forms of Flaws.
-        half_width: Bound of the uniform draw if `bias` is None: +- this value, in the bias's unit.
+        half_width: Bound of the uniform draw if `bias` is None, in the unit of the bias.
         rng: Source of random numbers.
     """
     uniform = rng.uniform(-1.0, 1.0, 3)

@@ -1,11 +1,13 @@
 """Conversion between the coordinates of MuJoCo and Pinocchio. No other module converts them.
 
-| quantity       | Pinocchio                       | MuJoCo                          |
-|----------------|---------------------------------|---------------------------------|
-| quaternion     | x y z w                         | w x y z                         |
-| base velocity  | linear in base axes             | linear in world axes            |
-| base rotation  | angular in base axes            | angular in base axes            |
-| joints         | alphabetical in the tree        | order of the URDF document      |
+=============  ========================  ==========================
+quantity       Pinocchio                 MuJoCo
+=============  ========================  ==========================
+quaternion     x y z w                   w x y z
+base velocity  linear in base axes       linear in world axes
+base rotation  angular in base axes      angular in base axes
+joints         alphabetical in the tree  order of the URDF document
+=============  ========================  ==========================
 """
 
 from __future__ import annotations

@@ -286,8 +286,8 @@ class Plant:
     def lip_push_limit(self, direction: str | float, duration: float = 0.1) -> float:
         """Return the LIP push limit in the present pose [N.s].
 
-        J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h), with the true mass m, the height h of
-        the centre of mass above the ground, and the horizontal distance d from the centre of mass
+        J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h). m is the true mass, and h is the height
+        of the centre of mass above the ground. d is the horizontal distance from the centre of mass
         to the support edge of all four feet.
 
         Args:

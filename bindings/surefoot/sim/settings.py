@@ -9,14 +9,15 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
 
-# [s] Physics step of scorecard and fault matrix: twice the default, so that they take half of the
-# time. Push limits are the same with both steps. Upper bound: a fifth of FOOT_SOLREF's 5 ms.
+# [s] Physics step of scorecard and fault matrix: twice the default, so that the runs take half of
+# the time. Push limits are the same with both steps. Upper bound: a fifth of the time constant of
+# FOOT_SOLREF (5 ms).
 COARSE_DT = 0.001
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
-# [m] Range of soft_ground_sink. Must exceed the 20 um by which feet sink into rigid ground. Must be
-# below half of a calf's length.
+# [m] Range of soft_ground_sink. The minimum exceeds the 20 um by which feet sink into rigid ground.
+# The maximum is below half of the length of a calf.
 MIN_SINK, MAX_SINK = 1e-4, 0.1
 
 

@@ -101,7 +101,7 @@ def draw_contacts(log: StandLog) -> Figure:
 
 
 def draw_power(log: StandLog) -> Figure:
-    """Plot the power: the sum of |torque x velocity| over the motors."""
+    """Plot the power: the sum over the motors of the absolute product of torque and velocity."""
     figure, axes = subplot_grid(1, 1, 2.4)
     ax = axes[0][0]
     shade_pushes(ax, log)

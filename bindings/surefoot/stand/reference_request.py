@@ -82,7 +82,7 @@ def reference_schedule(
 ) -> list[tuple[float, dict[str, float]]]:
     """Return the time [s] of each request, with the offsets that apply from this time.
 
-    The offsets are those of all six axes, by axis [m] or [deg]: an axis without a request at this
+    The offsets are given for all six axes, by axis [m] or [deg]. An axis without a request at this
     time keeps the offset of its last request, or 0.
     """
     requested = dict.fromkeys(AXES, 0.0)

@@ -36,7 +36,7 @@ class SensorRecorder:
         return np.frombuffer(b"".join(self._states), dtype=np.uint8).reshape(-1, LOW_STATE.itemsize)
 
     def log(self, source: str = "surefoot stand") -> SensorLog:
-        """Return the recorded rows as a log: unrounded sensor columns, and columns truth_*.
+        """Return the recorded rows as a log: unrounded sensor columns and ``truth_...`` columns.
 
         Args:
             source: Name of the log in messages.

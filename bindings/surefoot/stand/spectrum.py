@@ -8,8 +8,8 @@ import numpy as np
 
 from surefoot.stand.stand_log import Array
 
-# [Hz] Lower bound of the high-frequency band. Chosen. Larger than the frequencies of the motion of
-# the body (at most 7.1 Hz), smaller than half of the control rate (250 Hz).
+# [Hz] Lower bound of the high-frequency band. Chosen: above the frequencies of body motion (at most
+# 7.1 Hz), and below half of the control rate (250 Hz).
 HIGH_FREQUENCY = 30.0
 
 

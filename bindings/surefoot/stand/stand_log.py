@@ -92,5 +92,5 @@ class StandLog:
 
     @property
     def power(self) -> Array:
-        """(n,) sum of |torque x joint velocity| over the motors [W]."""
+        """(n,) sum over the motors of the absolute product of torque and joint velocity [W]."""
         return np.asarray(np.abs(self.tau * self.dq).sum(axis=1))

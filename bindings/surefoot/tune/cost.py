@@ -18,13 +18,14 @@ from surefoot.stand.settling import SETTLED_ANGLE, SETTLED_DISTANCE, SETTLED_SPE
 from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.tune.trace import Trace
 
-# Chosen: the largest sum of the terms; only its order against other runs matters.
+# Limit of the weighted sum of terms, and smallest additional cost of a fall. Chosen: only the order
+# of the costs matters.
 FALL_COST = 100.0
-# [s] Length of the intervals of rest: before the first push, and at the end. Chosen. If smaller:
-# too few samples of 30 Hz. Shorter than FIRST_PUSH_TIME, 0.6 s, less the start.
+# [s] Length of the intervals of rest: before the first push, and at the end. Chosen: shorter than
+# FIRST_PUSH_TIME (0.6 s) minus the start of the run, and long enough for frequencies above 30 Hz.
 STILL_TIME = 0.4
 
-# Chosen by hand, each for what its name says; docs/tuning-search.md lists them. Not measured.
+# The weights are chosen by hand, not measured: an objective weights most what its name says.
 OBJECTIVES: dict[str, dict[str, float]] = {
     "balance": {"sway": 1.0, "tilt": 1.0, "settle": 1.0, "feet": 0.5, "buzz": 0.5, "still": 0.5},
     "quiet": {"sway": 0.2, "tilt": 0.2, "settle": 0.2, "feet": 0.2, "buzz": 2.0, "still": 2.0},

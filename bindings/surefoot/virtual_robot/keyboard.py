@@ -16,7 +16,7 @@ KEYS_HELP = (
     "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
 )
 # [s] Time after which a button is released, because a terminal does not report key releases.
-# Chosen. Longer than the delay of key repetition, and long enough for a controller to notice.
+# Chosen: longer than the delay of key repetition, and long enough for a controller to notice.
 BUTTON_HOLD_TIME = 0.5
 # Change of a stick position (-1 .. 1) per key press. Chosen: four presses move a stick to its end.
 STICK_STEP = 0.25

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import os
 
-# SCHED_FIFO priority. Chosen. Lower than the priority of the controller, 80 (kPriority).
+# SCHED_FIFO priority. Chosen: lower than the priority of the controller, 80 (kPriority).
 _PRIORITY = 70
 
 

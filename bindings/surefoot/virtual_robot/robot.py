@@ -21,8 +21,8 @@ from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import DatagramPort
 from surefoot.virtual_robot.watchdog import Watchdog
 
-# [s] Time between two checks for a fall. Chosen. If smaller: the checks cost more time. Shorter
-# than a fall, which lasts some tenths of a second.
+# [s] Time between two checks for a fall. Chosen: shorter than a fall, which lasts some tenths of a
+# second. With a smaller value, the checks would cost more time.
 _FALL_CHECK_PERIOD = 0.02
 _LYING_RNG_STREAM = 12  # random stream of the lying pose; the plant uses 0 .. 3, the link 10, 11
 
@@ -50,7 +50,7 @@ class VirtualRobot:
         remote: The wireless remote.
         state: Latest LowState.
         command: Latest valid command as the motors received it; None before the first command.
-        power: Sum of |tauEst dq| over the motors in the latest LowState [W].
+        power: Sum over the motors of the absolute product tauEst dq in the latest LowState [W].
         fell_at: Time of the fall [s]; None: no fall. A robot that started lying falls when its tilt
             exceeds the fall threshold.
     """

@@ -13,9 +13,9 @@ from surefoot.virtual_robot.channel import Channel
 from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import Address, DatagramPort
 
-# Largest number of datagrams read per cycle, so that a flood does not stall the simulation. Chosen.
-# Larger than the burst of a controller after a stall. If larger: reading takes longer than a cycle
-# of 1 ms.
+# Largest number of datagrams read per cycle, so that a flood does not stall the simulation. Chosen:
+# larger than the burst of a controller after a stall. With a larger value, reading may take longer
+# than a cycle of 1 ms.
 MAX_DATAGRAMS_PER_CYCLE = 32
 # [s] Shortest time after a valid command in which only its sender can be the peer. Equal to the
 # default timeout after which the motors damp.

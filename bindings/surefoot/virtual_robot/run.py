@@ -22,8 +22,8 @@ from surefoot.virtual_robot.udp_port import UdpPort
 from surefoot.virtual_robot.viewer import Viewer, check_display
 
 _STATUS_PERIOD = 1.0  # [s] clock time between status lines. Chosen: a person can read them
-# [s] Simulated time between updates of keyboard and window. Chosen. If smaller: the updates slow
-# down the simulation. If larger: the picture is less smooth than at 50 Hz.
+# [s] Simulated time between updates of keyboard and window. Chosen: the picture is smooth at 50 Hz.
+# More frequent updates would slow down the simulation.
 _UI_PERIOD = 0.02
 
 

@@ -27,7 +27,7 @@ class RunRecorder:
         robot: The robot; the recorder only reads it.
 
     Attributes:
-        peak_power: Largest sum of |tauEst dq| over the motors in any LowState [W].
+        peak_power: Largest value of VirtualRobot.power in any LowState [W].
     """
 
     def __init__(self, robot: VirtualRobot) -> None:
@@ -61,7 +61,7 @@ class RunRecorder:
     def log(self) -> dict[str, Any]:
         """Return the log as lists by name, with one entry per row.
 
-        Entries of command_* are None before the first command.
+        The entries of the lists ``command_...`` are None before the first command.
         """
         table = np.array([row for row, _, _ in self._rows]).reshape(-1, 3 * MOTOR_COUNT + 3)
         log: dict[str, Any] = {

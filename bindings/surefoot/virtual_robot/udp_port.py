@@ -11,11 +11,11 @@ from surefoot._core import Error
 Address = tuple[str, int]
 Datagram = tuple[bytes, Address]
 
-# [bytes] Size of the buffer for one datagram. Chosen. Longer than the longest frame (839 bytes), so
+# [bytes] Size of the buffer for one datagram. Chosen: larger than the longest frame (839 bytes), so
 # that the link detects a datagram of a wrong length.
 _MAX_DATAGRAM_SIZE = 2048
-# [bytes] Size of the receive buffer in the kernel. Chosen. About 78 frames of 839 bytes. If larger:
-# a flood queues more datagrams.
+# [bytes] Size of the receive buffer in the kernel. Chosen: about 78 frames of 839 bytes. With a
+# larger buffer, a flood queues more datagrams.
 _RECEIVE_BUFFER_SIZE = 65536
 
 

@@ -1,17 +1,17 @@
 """Balance control by contact forces, after the published equations of unitree_guide.
 
 Source: unitreerobotics/unitree_guide, BalanceCtrl and State_BalanceTest. The model of the robot is
-one rigid body. A PD law on its pose gives the desired acceleration
+one rigid body. A PD law on its pose gives the desired accelerations::
 
     a = 150 (p_d - p) - 25 v,    dw = 200 log(R_d R') - 30 w.
 
-The contact forces f (12,) of four stance feet minimise
+The contact forces f (12,) of four stance feet minimise::
 
     |A f - b|_S^2 + 0.001 |f|_W^2 + 0.1 |f - f_last|_U^2,    b = (m (a - g), R I R' dw)
 
-within the friction pyramids |f_x|, |f_y| <= mu f_z. The torques are tau = -J' f. The motors add
-joint gains of 0.8 / 0.8 around the measured angles. The QP has no gyroscopic term and no limits of
-force or torque; the torques are clipped afterwards.
+within the friction pyramids ``|f_x|, |f_y| <= mu f_z``. The torques are tau = -J' f. The motor
+commands also have Kp = 0.8 and Kd = 0.8 around the measured angles. The QP has no gyroscopic term
+and no limits of force or torque; the torques are clipped afterwards.
 
 Differences from the source: mass, inertia and centre of mass are those of the whole robot, legs
 included; the QP itself has massless legs. mu comes from the robot's TOML, because with the value

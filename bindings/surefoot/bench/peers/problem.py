@@ -25,8 +25,8 @@ from surefoot.bench.recording import Recording
 # Chosen: kp = w^2, kd = 2 zeta w; com and base critically damped (w = 10, 20), foot zeta 0.5.
 TASK_GAINS = {"com": (100.0, 20.0), "base": (400.0, 40.0), "foot": (2500.0, 50.0)}
 POSTURE_GAINS = (100.0, 20.0)
-# Weight of the posture task in the units of our QP. Chosen. If smaller: the posture is undetermined
-# in the peers. If larger: it disturbs the tasks.
+# Weight of the posture task in the units of our QP. Chosen: with a smaller weight the posture is
+# undetermined in the peers, and with a larger weight the posture task disturbs the other tasks.
 POSTURE_WEIGHT = 1e-4
 
 

@@ -26,7 +26,7 @@ RATIOS = {
 
 
 def make_rows(played: PairedResult, weight: float, calm: NDArray[np.bool_]) -> list[dict[str, Any]]:
-    """Return a row per peer. Its "reason" says why the peer did not run; None if it ran.
+    """Return a row per peer. Its "reason" is why the peer did not run; None if the peer ran.
 
     Args:
         played: Result of a paired run.
@@ -83,7 +83,7 @@ def exclusion_reason(row: dict[str, Any]) -> str | None:
 
 
 def compute_ratios(rows: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the RATIOS by key: from C++ if the peer ran in C++, else from Python.
+    """Return the RATIOS by key; each ratio is from C++ if the peer ran in C++, else from Python.
 
     A ratio is None, and its "_reason" is given, if the times of the peer do not count in one of
     the languages: see exclusion_reason().

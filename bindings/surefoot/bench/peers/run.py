@@ -64,10 +64,11 @@ def run_peers(
         peers: Peers to compare with.
 
     Returns:
-        JSON values. Each ratio of RATIOS is a median over pairs of ticks. The key + "_language" has
-        the language of the ratio, key + "_python" the Python value if this language is C++, and
-        key + "_reason" the reason if the ratio is None. "rows" has all figures, one row per peer
-        and language. A peer that does not run raises no exception; its row has the reason.
+        JSON values. Each ratio of RATIOS is a median over pairs of ticks. Further keys begin with
+        the key of a ratio: KEY_language is the language of the ratio. If this language is C++,
+        KEY_python is the value in Python. If the ratio is None, KEY_reason is the reason. "rows"
+        has all figures, one row per peer and language. A peer that does not run raises no
+        exception; its row has the reason.
     """
     options = options or PeerOptions()
     recording_list = [recordings] if isinstance(recordings, Recording) else list(recordings)

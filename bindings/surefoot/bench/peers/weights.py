@@ -17,9 +17,10 @@ FORCE_WEIGHT = 1e-6
 def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
     """Compute the weights of squared accelerations (com, base, posture) and forces; com is 1.
 
-    Our QP divides accelerations by those that a quarter of the robot's weight on one foot causes.
-    For the centre of mass this function uses the same scale. For the base it uses the inertia of
-    the robot with locked joints, which gives almost the same scale as in the QP.
+    Our QP divides each acceleration by a scale: the acceleration that a quarter of the robot's
+    weight on one foot causes. For the centre of mass, this function uses the same scale. For the
+    base, this function computes the scale from the inertia of the robot with locked joints, which
+    is almost the scale of the QP.
 
     Args:
         robot: Robot, evaluated in its standing pose.

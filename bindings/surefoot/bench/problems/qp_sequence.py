@@ -16,8 +16,9 @@ from surefoot.files.corrupt_npz import CORRUPT_NPZ
 
 Array = npt.NDArray[np.float64]
 FORMAT = "surefoot-qp-sequence-1"
-# Numerical: the infinity of ProxQP; beyond every force and acceleration.
-NO_BOUND = 1e20  # bounds of this size or more are missing bounds
+# Magnitude from which a bound counts as missing. Numerical: ProxQP's value for infinity, larger
+# than any force or acceleration.
+NO_BOUND = 1e20
 _ARRAYS = ("H", "g", "A", "b", "C", "l", "u")
 
 

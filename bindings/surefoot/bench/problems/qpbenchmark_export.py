@@ -33,7 +33,7 @@ class SurefootWbc(qpbenchmark.TestSet):
 
 
 def export_qpbenchmark(sequences: Iterable[QpSequence], folder: Path, every: int = 50) -> int:
-    """Write FOLDER/surefoot_wbc.py, and one in `every` QPs as FOLDER/data/*.npz.
+    """Write FOLDER/surefoot_wbc.py, and one in `every` QPs as ``FOLDER/data/*.npz``.
 
     qpbenchmark solves each QP with a cold start and takes minutes per thousand QPs. So the function
     writes only a part of the QPs. A two-sided constraint becomes two rows of G x <= h.

@@ -34,7 +34,7 @@ def record_problems(
         One sequence of QPs without slacks, and one of QPs with slacks if any tick needed slacks.
 
     Raises:
-        Error: The name is unknown, or the robot fell on three legs.
+        Error: The robot or the scenario is unknown, or the robot fell on three legs.
     """
     check_scenario(scenario)
     if scenario == THREE_LEGGED_STANCE:

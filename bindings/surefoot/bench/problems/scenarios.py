@@ -21,13 +21,12 @@ from surefoot.sim import Plant, PlantSettings, Push
 # The duration of the pushes of `surefoot assess`; between the pushes the robot settles.
 PUSH_DURATION = 0.1  # [s] duration of a push
 PUSH_TIMES = (1.0, 4.0)  # [s] start of the lateral push, and of the forward push
-# Torque limit over the largest standing torque, in scenario weak. Chosen. Larger than 1, below
-# which the robot cannot stand. If larger: torque limits are never active.
+# Ratio of the torque limit to the largest standing torque in the scenario "weak". Chosen: with a
+# ratio below 1 the robot cannot stand; with a larger ratio the torque limits are never active.
 WEAK_TORQUE_FACTOR = 1.3
-# Chosen so that friction cones are active; the ground has more, so that the robot stands.
-SLIPPERY_FRICTION = (
-    0.2  # friction coefficient that the controller assumes; the ground has 1.5 times
-)
+# Friction coefficient that the controller assumes in the scenario "slippery". Chosen so that
+# friction cones are active. The ground has 1.5 times this value, so that the robot stands.
+SLIPPERY_FRICTION = 0.2
 
 BodyTrajectory = Callable[[float], BodyReference]
 

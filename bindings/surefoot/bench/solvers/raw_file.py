@@ -10,6 +10,8 @@ import numpy.typing as npt
 from surefoot.bench.problems.qp_sequence import QpSequence
 
 MAGIC = b"SFQPSEQ1"
+# Fields of the record of one solve: times [ns], status, counts (-1: not reported), residuals, and
+# distance to the reference answer.
 FIELDS = (
     "wall_ns",
     "cpu_ns",

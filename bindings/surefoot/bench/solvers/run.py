@@ -18,7 +18,7 @@ from surefoot.bench.solvers.solver_statistics import ACCEPT_FACTOR, solver_stati
 from surefoot.system.machine import describe_machine
 
 MODES = ("warm", "cold")
-# Chosen: TOLERANCE as a controller needs it; the reference is six decades tighter.
+# Chosen: TOLERANCE is sufficient for a controller; the reference is six decades tighter.
 TOLERANCE, REFERENCE_TOLERANCE = 1e-6, 1e-12  # tolerances on the residuals
 _REFERENCE_SOLVER = "surefoot"
 Runs = dict[str, dict[str, list[tuple[Records | None, str | None]]]]

@@ -18,10 +18,11 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-# Derived from the assumed full scale, 34.9 rad/s, plus 3 %; deg/s exceed it soon.
-GYRO_FULL_SCALE = 36.0  # [rad/s] rate above which the unit is wrong; the range is 2000 deg/s
-# [rad] Smallest tilt from the accelerometer that counts as a rotation. Chosen. 3 deg, larger than
-# the noise of a median; the gyroscope must then have shown a rotation.
+# [rad/s] Rate above which the unit must be deg/s. Derived: the full scale of 2000 deg/s (assumed),
+# 34.9 rad/s, plus 3 %.
+GYRO_FULL_SCALE = 36.0
+# [rad] Smallest change of the accelerometer's tilt that counts as a rotation. Chosen: 3 deg, larger
+# than the noise of the averaged acceleration. The gyroscope must show such a rotation too.
 MIN_TILT = 0.05
 
 
@@ -33,7 +34,7 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
     """
     values = log.columns["accelerometer"]
     norm = float(finite_median(np.linalg.norm(values, axis=1, keepdims=True))[0])
-    # Chosen: a robot at rest shows 1 g up to scale errors; 9.81 is far outside.
+    # Chosen: at rest the norm is 1 g except for scale errors; 9.81 is far outside this range.
     for unit, one in (("g", 1.0), ("milli-g", 1000.0)):
         if 0.8 * one < norm < 1.25 * one:
             raise Error(

@@ -16,18 +16,17 @@ from surefoot.sensor_log.sensor_log import SensorLog
 # Chosen limits; tests/python/test_sensor_log.py and test_estimate.py have wrong and right logs.
 MAX_BEYOND_LIMIT = 0.5  # [rad] distance beyond a joint limit above which an angle is wrong
 DEGREES_MARGIN = 0.2  # [rad] distance beyond a joint limit up to which an angle in degrees fits
-# Chosen. Larger than the noise in both orders, smaller than 1, at which both orders fit alike.
-ORDER_FIT_RATIO = (
-    0.2  # squared error over that of the logged order; if smaller, this order is right
-)
-MIN_ORDER_ERROR = (
-    0.05  # squared error over the squared motion; if smaller, the logged order is right
-)
-# [rad] RMS of integrated dq per window at rest, above which dq is doubtful. Chosen. Larger than the
-# 0.001 rad of good sensors by a factor of 20, smaller than the 57 times of deg/s instead of rad/s.
+# Ratio of squared errors, best order of legs to logged order, below which the best order is right.
+# Chosen: above the ratio that noise leaves, and below 1, at which both orders fit equally well.
+ORDER_FIT_RATIO = 0.2
+# Ratio of the squared error of the logged order to the squared motion, below which the logged order
+# is right. Chosen.
+MIN_ORDER_ERROR = 0.05
+# [rad] RMS of integrated dq per window at rest, above which dq is doubtful. Chosen: 20 times the
+# 0.001 rad of good sensors; velocities in deg/s would give 57 times as much.
 MAX_STILL_DRIFT = 0.02
-# [rad] RMS change of q per window above which joints move. Chosen. Larger than the 0.001 rad that
-# velocity noise gives in a window, by a factor of ten.
+# [rad] RMS change of q per window above which joints move. Chosen: ten times the 0.001 rad that
+# velocity noise gives in a window.
 MIN_MOTION = 0.01
 
 
@@ -45,7 +44,7 @@ def check_angles(robot: Robot, log: SensorLog) -> list[str]:
         return []
     radians = median / DEG_PER_RAD
     inside = np.all((radians > lower - DEGREES_MARGIN) & (radians < upper + DEGREES_MARGIN))
-    # 6 rad: within a turn of a joint, angles may be radians with a wrong zero.
+    # Angles up to 6 rad, about one turn, may be radians with a wrong zero.
     if inside and np.abs(median).max() > 6.0:
         raise Error(
             f"{log.source}: column 'q': got a median of {median[worst]:.1f} for "
@@ -98,7 +97,7 @@ def _warn_moving_while_still(moved: Array, integrated: Array) -> list[str]:
     if len(moved) < 3:
         return []
     q_motion, dq_motion = (float(np.sqrt(np.mean(angles**2))) for angles in (moved, integrated))
-    # Chosen. Five times is far larger than noise and far smaller than 57, deg/s read as rad/s.
+    # Chosen: five times is far more than noise, and far less than 57, the ratio of deg/s to rad/s.
     if dq_motion < max(MAX_STILL_DRIFT, 5.0 * q_motion):
         return []
     return [

@@ -22,14 +22,15 @@ from surefoot.sensor_log.sensor_log import SensorLog
 _QUADRANT_SIGNS = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y; rows FR FL RR RL
 _SIGN = {1: "> 0", -1: "< 0"}
 _MIRRORED_LEGS = {"": [], "right hips": [0, 2], "left hips": [1, 3], "all hips": [0, 1, 2, 3]}
-# Chosen: 0.3 s and half a second of motion; the comparison with the most motion decides most.
-SPAN_WINDOWS = 3  # number of windows in one comparison
+# Chosen.
+SPAN_WINDOWS = 3  # number of windows in one comparison: 0.3 s
 COMPARISONS = 12  # number of comparisons, at the times of the most joint motion
-# [m] Slide in 0.3 s below which the logged order is right. Chosen. Larger than the rolling and
-# noise of feet that stand, smaller than the slide with legs in a wrong order.
+# [m] Slide in 0.3 s below which the logged order is right. Chosen: larger than rolling and noise of
+# standing feet, smaller than the slide that a wrong order of legs gives.
 MAX_FOOT_SLIDE = 0.0015
-# Chosen as in joints.py, but stricter: feet of right logs slip.
-ORDER_FIT_RATIO = 0.15  # ratio of squared slides, best to logged order; above it no error is found
+# Ratio of squared slides, best order to logged order, below which the best order is right. Chosen:
+# smaller than in joints.py, because feet slip in right logs too.
+ORDER_FIT_RATIO = 0.15
 
 
 class _FootKinematics:
@@ -129,7 +130,7 @@ def _median_slide(placed: Array, back: Array) -> float:
 
     Args:
         placed: (w, 2, 4, 3) feet in base axes at start and end [m].
-        back: (w, 3, 3) rotation matrices from base axes at the start to base axes at the end.
+        back: (w, 3, 3) rotations from base axes at the start to base axes at the end.
     """
     placed = placed - placed.mean(axis=2, keepdims=True)
     slide = placed[:, 1] - np.einsum("nij,nlj->nli", back, placed[:, 0])
@@ -157,7 +158,10 @@ def _feet_with_exchanged_angles(feet: _FootKinematics, log: SensorLog, row: int)
 
 
 def _base_rotations(robot: Robot, turned: Array) -> Array:
-    """Return the rotations (n, 3, 3) from base axes at the end to base axes at the start."""
+    """Return the rotations (n, 3, 3) from base axes at the end to base axes at the start.
+
+    `turned` (n, 3) is the rotation vector of the gyroscope, IMU axes [rad].
+    """
     w, x, y, z = robot.config.quat_base_imu
     axes = turned @ matrices_from_xyzw(np.array([[x, y, z, w]]))[0].T
     angle = np.linalg.norm(axes, axis=1, keepdims=True)

@@ -14,27 +14,27 @@ from surefoot.estimate.checks.windows import (
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rotation_vectors
 from surefoot.sensor_log.sensor_log import SensorLog
 
-# Chosen; between the two the log is accepted. Larger than the 5 deg of attitude filters under
-# acceleration, smaller than the 180 deg of a swapped order. Arming refuses 10 deg.
-WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] angle from the accelerometer's vertical
-# Chosen; between the two the log is accepted. Larger than 0, the same rotations; smaller than 1,
-# rotations unrelated to the gyroscope.
-WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = (
-    0.5,
-    0.15,
-)  # squared difference to the gyroscope's rotations, as a share of their square
-# [rad] Smallest rotation of a window that is compared: 0.1 rad/s. Chosen. Larger than the default
-# bias of a gyroscope, 0.02 rad/s, by a factor of five.
+# [deg] Angle between the verticals of quaternion and accelerometer. Above WRONG_TILT the quaternion
+# contradicts the accelerometer; below RIGHT_TILT both agree. Chosen: larger than the 5 deg that
+# attitude filters reach under acceleration, smaller than the 180 deg of a wrong component order.
+WRONG_TILT, RIGHT_TILT = 20.0, 10.0
+# Squared difference of the rotations of quaternion and gyroscope, as a share of the squared
+# rotations of the gyroscope. Above the first value both sensors contradict each other; below the
+# second they agree. Chosen: equal rotations give 0, unrelated rotations 1 or more.
+WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = 0.5, 0.15
+# [rad] Smallest rotation of a window that is compared: 0.1 rad/s. Chosen: five times the default
+# bias of a gyroscope (0.02 rad/s).
 _MIN_ROTATION = 0.01
-# Allowed difference between the length of a quaternion and 1. Chosen. Larger than the rounding of
-# logs with two digits, smaller than the error of degrees or halves.
+# Allowed difference between the length of a quaternion and 1. Chosen: larger than the rounding of
+# logs with two digits, smaller than the error of a quaternion in other units.
 _NORM_TOLERANCE = 0.1
 
 
 def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     """Compare the quaternion with the accelerometer and the gyroscope; return warnings.
 
-    The accelerometer must match the quaternion's vertical, the gyroscope its rotations.
+    The vertical of the quaternion must match the accelerometer, and its rotations must match the
+    gyroscope.
 
     Raises:
         Error: Both sensors fit clearly better if the quaternion is read as x y z w or as world to
@@ -132,7 +132,7 @@ def _warnings(tilt: float, error: float, wxyz: Array) -> list[str]:
     doubts = []
     if tilt > WRONG_TILT:
         doubts.append(f"quaternion: vertical {tilt:.0f} deg from that of the accelerometer")
-    # Near (0, 0, 0, 1), a level robot with heading 0 whose order is x y z w.
+    # (0, 0, 0, 1) may be a level robot with heading 0 whose quaternion has the order x y z w.
     elif not error < WRONG_ROTATION_ERROR and abs(wxyz[0, 0]) < 0.1 and abs(wxyz[0, 3]) > 0.99:
         doubts.append(
             "quaternion starts as 0 0 0 1: is it a heading of 180 deg, or the order x y z w?"

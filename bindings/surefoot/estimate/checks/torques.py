@@ -12,7 +12,8 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-# Chosen, equal to either side: 1 for a foot that stands, -1 with the other sign; 0 in the air.
+# Chosen, with equal distance from 0. The share is 1 for a standing foot, 0 for a foot in the air,
+# and -1 for a standing foot whose torque has the wrong sign.
 MAX_PULLING_SHARE = -0.3  # calf torque over that of a loaded leg, below which the foot pulls
 MIN_LOADED_SHARE = 0.3  # calf torque over that of a loaded leg, above which the foot is loaded
 

@@ -10,14 +10,14 @@ import numpy.typing as npt
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.sensor_log import SensorLog
 
-# [s] Duration of a window. Chosen. If smaller: noise of single samples remains. If larger: motion
-# reverses within a window.
+# [s] Duration of a window. Chosen: in shorter windows the noise of single samples remains, and in
+# longer windows the motion reverses.
 WINDOW_TIME = 0.1
-# [rad] Smallest rotation of a window that is compared: 0.03 rad/s. Chosen. Larger than the bias,
-# 0.02 rad/s by default (gain start_gyroscope_bias).
+# [rad] Smallest rotation of a window that is compared: 0.03 rad/s. Chosen: larger than the default
+# bias of a gyroscope (0.02 rad/s; gain start_gyroscope_bias).
 MIN_ROTATION = 0.003
-# Smallest number of windows for a comparison. Chosen. Half a second of motion. If smaller: one
-# impact may decide.
+# Smallest number of windows for a comparison. Chosen: half a second of motion. With fewer windows,
+# one impact may decide.
 MIN_WINDOWS = 5
 DEG_PER_RAD = 180.0 / np.pi
 

@@ -39,7 +39,8 @@ class TickOverflow(Fault):
     """The robot's clock overflows soon after the fault begins.
 
     Args:
-        bits: Size of the counter: 32, or 31 to test a reader that takes the tick as signed.
+        bits: Number of bits after which the counter overflows: 32. 31 tests a reader that stores
+            the tick as a signed number.
     """
 
     uses_frames = True
@@ -94,7 +95,7 @@ class OperatorAction(Fault):
     """An operator calls functions of the supervisor.
 
     Args:
-        act: Function of the supervisor and of k that is called before each tick k.
+        act: Function that is called with the supervisor and k before each tick k.
     """
 
     def __init__(self, act: Callable[[Supervisor, int], object]) -> None:
@@ -130,7 +131,7 @@ def restarted_clock() -> Callable[[int, int], int]:
 
 
 def clock_at_speed(per_period: int) -> Callable[[int, int], int]:
-    """Return a clock for TickFault that advances by `per_period` [ms] in every period of 2 ms."""
+    """Return a clock for TickFault that advances by `per_period` ms in every period of 2 ms."""
     ticks: list[int] = []
 
     def reported(tick: int, k: int) -> int:

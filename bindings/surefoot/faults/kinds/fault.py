@@ -45,7 +45,7 @@ class Fault:
 
         Args:
             plant: Plant of the robot.
-            lying: MuJoCo qpos of the robot lying at rest.
+            lying: MuJoCo qpos of the robot that lies at rest.
         """
         return plant.reset_lying_at(lying)
 
@@ -90,6 +90,9 @@ class Fault:
 class CombinedFault(Fault):
     """Several faults at the same time.
 
+    Only the hooks that this class overrides call the hooks of the faults; all other hooks of the
+    faults are ignored.
+
     Args:
         faults: Faults, in the order in which their hooks run.
     """
@@ -117,11 +120,11 @@ class CombinedFault(Fault):
             fault.begin(plant)
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change a sample by all faults."""
+        """Let all faults change a sample in place."""
         for fault in self._faults:
             fault.change_state(state, k)
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Change a command by all faults."""
+        """Let all faults change a command in place."""
         for fault in self._faults:
             fault.change_command(command, k)

@@ -14,16 +14,18 @@ from surefoot.geometry.rotations import Array
 from surefoot.robot.loading import load_robot
 from surefoot.sim import Plant, PlantSettings
 
-SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}  # by robot: the most similar
-DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}  # by robot: one of other size
+# Names of wrong models, by the name of the true robot: the robot of the most similar size, and a
+# robot of a very different size.
+SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}
+DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}
 
 
 class WrongWiring(Fault):
     """Motors are wired in a wrong order or turn in the wrong direction, from the start.
 
     Args:
-        order: order[i] is the true motor that receives the commands and sends the values of motor
-            i; a motor without an entry has its own number.
+        order: True motor by assumed motor. Motor order[i] receives the command for motor i, and its
+            measurements arrive as those of motor i. A motor without an entry is wired correctly.
         reversed_motors: Motors that turn in the wrong direction.
     """
 
@@ -43,7 +45,7 @@ class WrongWiring(Fault):
 
     def change_command(self, command: LowCmd, k: int) -> None:
         """Change order and direction of the motors in a command."""
-        # |dq| >= 1e3 rad/s is VelStopF (16000). VelStopF is not a velocity, so its sign stays.
+        # A dq of 1e3 or more is not a velocity but the marker VelStopF (16000), so its sign stays.
         for i in self._reversed_motors:
             motor = command.motorCmd[i]
             motor.tau, motor.dq = -motor.tau, -motor.dq if abs(motor.dq) < 1e3 else motor.dq
@@ -145,7 +147,7 @@ def swapped_legs(one: int, other: int) -> dict[int, int]:
 
 def reported_slope() -> Fault:
     """Return a fault whose samples report a pitch of 35 degrees for a robot that lies level."""
-    angle = np.radians(35.0)  # above the limit of the arming checks, 25 degrees
+    angle = np.radians(35.0)  # [rad] above the limit of the arming checks, 25 degrees
     return CombinedFault(
         AttitudeFault(lambda k: 35.0, 1),
         SignalFault("accelerometer", constant(-9.81 * np.sin(angle)), 0),

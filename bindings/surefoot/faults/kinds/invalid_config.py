@@ -9,7 +9,7 @@ from surefoot.faults.kinds.fault import Fault
 
 
 class InvalidConfig(Fault):
-    """Construction of supervisors with invalid options and gains, once at the onset."""
+    """An operator constructs supervisors with invalid options and gains, once at the onset."""
 
     def __init__(self) -> None:
         self._robot: Robot | None = None

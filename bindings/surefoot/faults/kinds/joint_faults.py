@@ -9,8 +9,9 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.robot.power_level import power_level
 
 WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's PowerProtect; Safety::kWattsPerLevel
-# [rad/s] Reported speed of the knees. Chosen: a lower speed would need torques beyond the plausible
-# range of a LowState; the speed limits of motors are higher (15 rad/s and more).
+# [rad/s] Reported speed of the calf motors. Chosen: at a lower speed, the same power would need
+# torques beyond the plausible range of a LowState. The speed limits of the motors are higher
+# (15 rad/s and more).
 KNEE_SPEED = 5.0
 
 
@@ -21,7 +22,7 @@ class JointOutsideLimits(Fault):
         by: Distance of the reported angle beyond the limit [rad].
         motor: Number of the motor.
         below: True: beyond the lower limit. False: beyond the upper limit.
-        every: Number of samples of which one has the fault.
+        every: The fault is in one of `every` samples.
     """
 
     def __init__(self, by: float, motor: int, below: bool, every: int = 1) -> None:
@@ -42,7 +43,7 @@ class JointOutsideLimits(Fault):
 
 
 class PowerOverload(Fault):
-    """The four knees report more power than the power protection allows.
+    """The four calf motors report more power than the power protection allows.
 
     Args:
         power_ratio: Ratio of the reported power to the power at which the protection trips.
@@ -61,7 +62,7 @@ class PowerOverload(Fault):
         return robot
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Replace speed and torque of the four knees in a sample."""
+        """Replace speed and torque of the four calf motors in a sample."""
         if k % self._every < self._length:
             for motor in (2, 5, 8, 11):
                 state.motorState[motor].dq = KNEE_SPEED

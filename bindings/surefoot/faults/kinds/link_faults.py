@@ -10,7 +10,7 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.protocol import crc32
 
 FrameChange = Callable[[bytes, int], list[bytes]]
-"""Function of a frame and the period k that returns the datagrams that arrive instead."""
+"""Function of a frame and the period k; it returns the datagrams that arrive instead."""
 
 
 class LinkFault(Fault):
@@ -31,7 +31,7 @@ class LinkFault(Fault):
 
 
 def no_frame(frame: bytes, k: int) -> list[bytes]:
-    """Lose the frame."""
+    """Return no datagram: the frame is lost."""
     return []
 
 
@@ -47,7 +47,7 @@ def frozen_frame() -> FrameChange:
 
 
 def flipped_bit(frame: bytes, k: int) -> list[bytes]:
-    """Flip one bit of the frame without a change of the CRC."""
+    """Flip one bit of the frame; do not correct the CRC."""
     damaged = bytearray(frame)
     damaged[(37 * k) % len(frame)] ^= 1 << k % 8
     return [bytes(damaged)]
@@ -80,7 +80,7 @@ def random_loss(share: float) -> FrameChange:
 
 
 def intermittent(damage: FrameChange, every: int, length: int = 1) -> FrameChange:
-    """Return a change that damages the first `length` frames in each cycle of `every` frames."""
+    """Return a change that acts on the first `length` frames in each cycle of `every` frames."""
     return lambda frame, k: damage(frame, k) if k % every < length else [frame]
 
 

@@ -13,7 +13,7 @@ OVERHEATED_MODE = 8  # motor mode of an overheated motor in comm.h of the SDK
 
 
 class WeakMotor(Fault):
-    """A motor gives less torque than commanded, and its tauEst is the torque that it gives.
+    """A motor gives less torque than commanded, and reports the reduced torque as tauEst.
 
     Args:
         motor: Number of the motor.
@@ -63,7 +63,7 @@ class DeadMotor(Fault):
 
 
 class UnresponsiveMotors(Fault):
-    """Motors keep the command that they have at the onset, and report no problem.
+    """Motors keep the command that they received at the onset, and report no problem.
 
     Args:
         motors: Numbers of the motors.
@@ -88,7 +88,7 @@ class SecondController(Fault):
     """A second controller holds the joints at the angles that they have at the onset.
 
     Args:
-        every: Number of commands of which the second controller overwrites one.
+        every: The second controller overwrites one of `every` commands.
     """
 
     def __init__(self, every: int = 1) -> None:

@@ -45,7 +45,7 @@ def nan_reference(supervisor: Supervisor, k: int) -> None:
 
 
 def alternating_pose(supervisor: Supervisor, k: int) -> None:
-    """Request 3 cm to the right for 50 periods, then 3 cm to the left for 50 periods, and so on."""
+    """Request a body position 3 cm to the right or to the left; change sides every 50 periods."""
     supervisor.set_body_reference(BodyReference(y=0.03 if k // 50 % 2 else -0.03))
 
 

@@ -15,7 +15,7 @@ Change = Callable[[Values, int], None]
 """Function that changes a signal in place; its second argument k counts periods since the onset."""
 
 INJECTIONS = ("off", "stuck", "garbage", "wrong", "slow", "delayed", "intermittent")
-"""Kinds of injections: the names of Case.injection."""
+"""Kinds of injections: the allowed values of Case.injection."""
 
 
 def off(values: Values, k: int) -> None:
@@ -51,7 +51,7 @@ def scaled(by: float) -> Change:
 
 
 def drifting(per_tick: float) -> Change:
-    """Return a change that adds an offset; in every period the offset grows by `per_tick`."""
+    """Return a change that adds an offset, which grows by `per_tick` in every period."""
 
     def change(values: Values, k: int) -> None:
         values[...] = values + np.asarray((k + 1) * per_tick).astype(values.dtype)
@@ -88,7 +88,7 @@ def noise(size: float) -> Change:
 
 
 def slow(ticks: int) -> Change:
-    """Return a change that updates the signal only in one of `ticks` periods, and else holds it."""
+    """Return a change that holds the signal and updates it once in `ticks` periods."""
     held: list[Values] = []
 
     def change(values: Values, k: int) -> None:
@@ -105,7 +105,10 @@ def stuck() -> Change:
 
 
 def delayed(ticks: int) -> Change:
-    """Return a change that delays the signal by `ticks` periods."""
+    """Return a change that delays the signal by `ticks` periods.
+
+    Until then, the signal keeps the value that it has at the onset.
+    """
     queue: deque[Values] = deque()
 
     def change(values: Values, k: int) -> None:

@@ -60,14 +60,14 @@ class AllSensorsFault(Fault):
     """All sensors are wrong in the same way, but the tick is right.
 
     Args:
-        change: Function that changes the bytes of IMU, motors and feet.
+        change: Function that changes the bytes of IMU, motors, battery and feet.
     """
 
     def __init__(self, change: Change) -> None:
         self._change = change
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change the bytes of the sensors in a sample."""
+        """Change the bytes between the header and the tick of a sample."""
         self._change(state.raw[22:885], k)
 
 

@@ -102,7 +102,7 @@ class CommandMonitor:
         same = bool(np.array_equal(motors, previous))
         self._repeats = self._repeats + 1 if same else 0
         self.hold_time = max(self.hold_time, self._repeats * PERIOD)
-        # The motor limits its torque, so damping never gives more than the torque limit.
+        # A motor limits its torque, so the torque of the last command is limited here too.
         continued_torque = previous["tau"] + (motors["Kd"].astype(float) - previous["Kd"]) * dq
         step = motors["tau"] - np.clip(continued_torque, -self._tau_max, self._tau_max)
         self.rate_share = max(self.rate_share, float(np.max(np.abs(step) / self._tau_max)))

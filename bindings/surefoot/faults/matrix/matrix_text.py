@@ -35,7 +35,11 @@ def faults_text(result: dict[str, Any]) -> str:
 
 
 def by_injection(cells: list[dict[str, Any]]) -> dict[str, dict[str, dict[str, Any]]]:
-    """Return the results of cells in a dict by ROW/INJECTION, which has dicts by mode."""
+    """Group the results of cells by ROW/INJECTION.
+
+    Returns:
+        The results by mode, by ROW/INJECTION.
+    """
     lines: dict[str, dict[str, dict[str, Any]]] = {}
     for cell in cells:
         lines.setdefault(cell["id"].rpartition("/")[0], {})[cell["mode"]] = cell
@@ -43,7 +47,7 @@ def by_injection(cells: list[dict[str, Any]]) -> dict[str, dict[str, dict[str, A
 
 
 def list_text(cells: list[Cell]) -> str:
-    """Return a text with one line per cell: its id, expected reaction, time limit, description."""
+    """Return a text with a line for each cell: id, expected reaction, time limit, description."""
     width = max(len(cell.id) for cell in cells)
     return "\n".join(
         f"{cell.id.ljust(width)}  {cell.expectation.reaction.value}{_within(cell)}: "

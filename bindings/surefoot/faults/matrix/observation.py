@@ -13,8 +13,8 @@ from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
 # All times are chosen; longer times cost run time (495 cells per robot take 4 to 11 minutes).
-# [s] Time of observation after the motors damp, or after the robot lies. Torques that resume do so
-# within the fade time of TorqueFade (0.25 s).
+# [s] Time of observation after the motors damp, or after the robot lies. If torques resume, they
+# resume within the fade time of TorqueFade (0.25 s).
 SETTLED_TIME = 0.6
 # [s] Time of observing a standing robot, or of waiting until it damps. Longer than most detection
 # times in fault_table().
@@ -148,7 +148,7 @@ def _observe_period(scenario: Scenario, observed: Observation, time: float) -> N
 
 
 def _fault_count(scenario: Scenario, expectation: Expectation) -> int:
-    """Return how often the supervisor has detected the start of the expected fault."""
+    """Return how often the supervisor has detected the expected fault; 0 if none is expected."""
     if not expectation.fault:
         return 0
     return int(scenario.supervisor.faults.count(FaultId[expectation.fault.upper()]))
@@ -157,8 +157,8 @@ def _fault_count(scenario: Scenario, expectation: Expectation) -> int:
 def _request_rise(scenario: Scenario, observed: Observation, time: float) -> None:
     """Request a rise and, if the rise is refused, arming; write the answers into `observed`.
 
-    Arming is not requested if the robot was armed before and the answer to the rise is NOT_ARMED.
-    In this case the arming checks may pass, and arming would be a correct answer.
+    Arming is not requested if the robot was armed before and the rise is refused with NOT_ARMED. In
+    this case the arming checks may pass, so the supervisor could accept arming correctly.
     """
     rise = scenario.supervisor.request(Mode.RISE)
     done = rise == RequestStatus.ACCEPTED or (scenario.armed and rise == RequestStatus.NOT_ARMED)

@@ -8,7 +8,7 @@ from surefoot.sim import Push
 
 RISE_REQUESTED = "rise requested"  # mode in which the fault begins right after the request to rise
 # The numbers are chosen; docs/faults.md lists them.
-# Share of the rise at which a fault begins: the legs carry the body, but the robot does not stand.
+# Share of the rise at which a fault begins. There the legs carry the body, and the rise goes on.
 RISE_FRACTION = 0.4
 RISE_TIME = 15.0  # [s] longest rise; the median is 7 to 10 s (benchmarks/get_up.py)
 SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; the fade takes 0.25 s

@@ -29,6 +29,7 @@ def run_cell(setup: MatrixSetup, name: str) -> dict[str, Any]:
     """
     cell = find_cell(name)
     fault = cell.case.make_fault()
+    # A fault that sets the first tick needs the time of its onset. A trial run measures this time.
     tick0 = fault.tick0(0)
     if tick0 is not None:
         onset = _ticks_before(setup, cell)
@@ -42,6 +43,7 @@ def run_cell(setup: MatrixSetup, name: str) -> dict[str, Any]:
 
 
 def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
+    """Run the scenario of a cell and return its result; height: standing height of the base [m]."""
     problem = ""
     if not (cell.expectation.reaction == Reaction.REFUSE and scenario.fault.from_start):
         problem = reach_mode(
@@ -52,7 +54,7 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
         and not scenario.armed
         and scenario.arming_failures
     ):
-        # The failed arming checks name the fault. This is as good as detecting it during the rise.
+        # The failed arming checks name the fault. This is as good as a detection during the rise.
         return _record(scenario, cell, Observation(), scenario.monitor.violations())
     observed = Observation() if problem else observe(scenario, cell.expectation, cell.mode)
     problems = [problem] if problem else deviations(observed, cell.expectation, cell.mode, height)
@@ -75,7 +77,7 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
 
 
 def _may_show_on_rise_request(scenario: Scenario, cell: Cell) -> bool:
-    """Return True if the supervisor may detect a fault from before arming when a rise begins."""
+    """Return True for a fault from before arming that may be detected only when a rise begins."""
     expectation = cell.expectation
     return scenario.fault.from_start and (
         expectation.reaction == Reaction.STAY or expectation.alternative != ""
@@ -115,9 +117,9 @@ def _record(
 
 
 def _ticks_before(setup: MatrixSetup, cell: Cell) -> int:
-    """Return the time on the robot's clock from the first sample to the onset of the fault [ms].
+    """Run a trial up to the onset of the fault and return the onset [ms].
 
-    Runs a trial up to the onset.
+    The onset is the time on the robot's clock since the first sample.
     """
     trial = Scenario(setup, cell.case.make_fault(), cell.case.level)
     first = trial.tick

@@ -69,6 +69,7 @@ def summarise(
 
 
 def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[str, Any]]:
+    """Yield the results of cells; with more than one job, in the order in which they end."""
     if jobs == 1:
         for name in names:
             yield run_or_fail(setup, name)
@@ -85,7 +86,7 @@ def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[s
 
 
 def run_or_fail(setup: MatrixSetup, name: str) -> dict[str, Any]:
-    """Run a cell and return its result; if the run raises an exception, a failed result."""
+    """Run a cell and return its result; return a failed result if the run raises an exception."""
     try:
         return run_cell(setup, name)
     except Exception as problem:

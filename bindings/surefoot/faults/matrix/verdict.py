@@ -64,7 +64,7 @@ def deviations(
 
 
 def descends_too_fast(observed: Observation, height: float) -> list[str]:
-    """Return a list with a text if the descent was too fast; else an empty list.
+    """Return a list with one text if the descent was too fast; otherwise an empty list.
 
     Args:
         observed: Observation of the reaction.
@@ -79,7 +79,10 @@ def descends_too_fast(observed: Observation, height: float) -> list[str]:
 
 
 def unreported_fault(observed: Observation, expectation: Expectation) -> list[str]:
-    """Return a list with a text if the expected fault was reported too late or not; else empty."""
+    """Return a list with one text if the expected fault was reported too late or not at all.
+
+    Otherwise return an empty list.
+    """
     if not expectation.fault:
         return []
     if observed.reported_at is None:
@@ -160,6 +163,7 @@ def _goes_on(observed: Observation, expectation: Expectation, mode: str) -> list
 
 
 def _rests(observed: Observation) -> list[str]:
+    """Return a list with one text if the robot does not lie with damping motors at the end."""
     lies = observed.mode in (Mode.PASSIVE, Mode.DAMPING) and observed.damped_at is not None
     return [] if lies else [f"{observed.mode.name} at the end, expected to lie"]
 

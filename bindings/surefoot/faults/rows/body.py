@@ -8,8 +8,8 @@ from surefoot.faults.kinds import initial_faults as setup
 from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 
 RISING = ("rising",)
-# FALL expects damping for any fault, because a push can trip the power protection before the
-# supervisor detects the tilt.
+# Expected after a fall: damping for any fault, because a push can trip the power protection before
+# the supervisor detects the tilt.
 FALL = expect_damp(table_expectation("tilt").within)
 # Highest power protection level of the SDK (1000 W). Needed for landings: the motors take up to
 # 552 W, measured with benchmarks/external_lifts.py.

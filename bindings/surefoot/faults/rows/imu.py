@@ -8,10 +8,10 @@ from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault, Fault
 from surefoot.faults.kinds.signals import SignalFault
 
-# [s] Time from an injection into a rising robot until the robot stands. It is added to the
-# detection time of faults that are detected only when the robot stands. Chosen: longer than the
-# rest of the rise after RISE_FRACTION of matrix/reach_mode.py (2 s) plus the fade of the torques
-# (0.25 s).
+# [s] Longest time from an injection into a rising robot until the robot stands. It is added to the
+# detection time of faults that the supervisor detects only when the robot stands. Chosen: longer
+# than the rest of the rise (2 s; RISE_FRACTION of matrix/reach_mode.py sets its beginning) plus the
+# fade of the torques (0.25 s).
 DELAY_UNTIL_STANDING = 6.0
 GYROSCOPE_FAULT = table_expectation("gyroscope")
 GYROSCOPE_FAULT_WHEN_STANDING = table_expectation("gyroscope", delay=DELAY_UNTIL_STANDING)

@@ -8,8 +8,8 @@ from surefoot.faults.kinds import clock_faults as clock
 from surefoot.faults.kinds import link_faults as link
 
 STALE = table_expectation("stale_tick")
-# [s] Time limit of a refusal for lost frames. With 4 % of the frames lost, it takes 0.3 s until the
-# arming check "link" fails: until its mean share of missing samples (time constant 1 s) is 1 %.
+# [s] Time limit of a refusal for lost frames. With 4 % of the frames lost, the arming check "link"
+# fails after 0.3 s: then its mean share of missing samples (time constant 1 s) reaches 1 %.
 LATE_REFUSAL = expect_refusal(0.5)
 
 
@@ -193,8 +193,8 @@ LINK = (
         ),
     ),
 )
-# Stops and steps of 0.5 s exceed kRobotWatchdogTime. Periods missed for 6 ms in every 100 ms are
-# shorter than kHoldTime.
+# The stop of the process and the clock steps (0.5 s) exceed kRobotWatchdogTime. Gaps of 6 ms, in
+# every 100 ms, are shorter than kHoldTime.
 CLOCK = (
     Row(
         "control_overrun",

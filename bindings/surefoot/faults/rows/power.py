@@ -13,10 +13,10 @@ intermittent = inject.intermittent
 FL_HIP = 3  # motor FL_0
 BATTERY_FAULT = table_expectation("battery")
 
-# PowerProtect trips when the samples above its level outnumber the samples below it by six, so 2
-# samples of 10 must not trip it. The option battery_low is 10 %; the ramp from 20 % reaches it in
-# 1 s. An angle that is suddenly outside its limits is also a jump. So `position_trip`, for a hip,
-# expects the fault "joint_jump", like `joint_limit` in joints.py, for a calf.
+# PowerProtect trips when the samples above its level outnumber the samples below the level by six.
+# So 2 samples of 10 must not trip the protection. The option battery_low is 10 %; the ramp from
+# 20 % reaches this charge in 1 s. An angle that is suddenly outside its limits is also a jump. So
+# `position_trip` (a hip) and `joint_limit` in joints.py (a calf) expect the fault "joint_jump".
 ROWS = (
     Row(
         "power_trip",

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from surefoot import _plant
 
-# [1/s] Gain of the tilt correction. Chosen, because the vendor's gain is not published. If larger:
-# a push tilts the estimate more, by the gain times the horizontal velocity over g. If smaller: a
-# gyro bias tilts the estimate more, by bias / MAHONY_GAIN.
+# [1/s] Gain of the tilt correction. Chosen, because the vendor's gain is not published. A push that
+# causes a horizontal velocity v tilts the estimate by up to MAHONY_GAIN v / g. A gyro bias tilts
+# the estimate by bias / MAHONY_GAIN.
 MAHONY_GAIN = 0.5
 
 

@@ -8,12 +8,12 @@ import numpy as np
 
 from surefoot import _plant
 
-# [rad] Step of the measured angles: 15 bits per rotor turn, as in Unitree's GO-M8010-6
-# (unitree_actuator_sdk; gear ratio 6.33), divided by the gear ratio 6 of the hips and thighs of a
-# go1 (models/go1.toml). Other joints have smaller steps.
+# [rad] Step of the measured angles. The encoder has 15 bits per rotor turn, as in Unitree's
+# GO-M8010-6 (unitree_actuator_sdk). The gear ratio is 6, as of the hips and thighs of a go1
+# (models/go1.toml). Joints with larger gear ratios have smaller steps.
 POSITION_QUANTUM = 2.0 * math.pi / 2**15 / 6.0
 # Assumed, because no data sheet states these values. Tests: test_plant_sensors.py.
-VELOCITY_CUTOFF = 100.0  # [Hz] cut-off of the driver's first-order filter; its delay is 1.6 ms
+VELOCITY_CUTOFF = 100.0  # [Hz] cut-off of the driver's first-order filter (delay 1.6 ms)
 VELOCITY_NOISE = 0.05  # [rad/s] standard deviation of the white noise of every sample
 
 

@@ -12,10 +12,10 @@ from surefoot import _plant
 # (8 to 48 counts); all other values are assumed. Tests: test_plant_sensors.py.
 FORCE_NOISE = 3.0  # [N] standard deviation of footForceEst
 COUNT_NOISE = 2.0  # [counts] standard deviation of footForce
-COUNT_OFFSET = (5.0, 50.0)  # [counts] range of the uniform draw of an unloaded foot's reading
+COUNT_OFFSET = (5.0, 50.0)  # [counts] range of the uniform draw of footForce without load
 COUNT_GAIN = (1.0, 2.0)  # [counts/N] range of the uniform draw of the gain
-# [counts] Standard deviation of the offset's random walk over a minute, so that twice this value is
-# 10 counts.
+# [counts] Standard deviation of the random walk of the offset after one minute. In 95 % of all
+# minutes, the offset changes by less than twice this value: 10 counts.
 COUNT_DRIFT = 10.0 / 2.0
 
 

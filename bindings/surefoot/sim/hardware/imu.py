@@ -9,9 +9,10 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
 
-# Assumed, because Unitree names no IMU and publishes no data sheet. Must be below the limits of the
-# arming checks (0.05 rad/s, 5 % of g), which healthy robots pass. For comparison: public logs of a
-# Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2, and benchmarks/estimation uses larger biases.
+# The values are assumed, because Unitree names no IMU and publishes no data sheet. They must be
+# below the limits of the arming checks (0.05 rad/s, 5 % of g), which a healthy robot must pass. For
+# comparison: public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2, and
+# benchmarks/estimation uses larger biases.
 GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
 GYRO_BIAS = 0.005  # [rad/s] bound of the uniform draw of the constant bias
 ACCELEROMETER_NOISE = 0.05  # [m/s^2] standard deviation of a sample
@@ -26,7 +27,7 @@ def draw_imu_errors(
     """Draw the errors of one IMU.
 
     Args:
-        flaws: Flaws with the biases, or the way to draw them.
+        flaws: Flaws; their two biases set the errors, or how the errors are drawn.
         dt: Physics step [s].
         rng: Source of the biases, and later of the noise.
 

@@ -14,8 +14,8 @@ from surefoot.sim.flaws import Flaws
 
 SERVO_MODE = 0x0A  # as in the SDK's comm.h
 DAMPING_MODE = 0x00
-# [N.m.s/rad] Damping of a motor that is not in servo mode. The vendor publishes no value. Kd of
-# unitree_guide's passive state, and the default of Gains.damping_kd.
+# [N.m.s/rad] Damping of a motor that is not in servo mode. The vendor publishes no value. This is
+# Kd of unitree_guide's passive state, and the default of Gains.damping_kd.
 BRAKE_KD = 3.0
 
 MotorLaw = _plant.MotorLaw
@@ -25,8 +25,8 @@ def command_law(command: _plant.MotorCommands) -> MotorLaw:
     """Return the motor law of a command: tau' = tau + Kp (q - q') + Kd (dq - dq').
 
     q, dq, tau, Kp and Kd are the command; q' and dq' are the state of the joint. q = PosStopF, or
-    any |q| of at least 1e9 rad, switches the position term off. dq = VelStopF switches the velocity
-    term off. A motor that is not in servo mode (0x0A) ignores the command and brakes.
+    any q of magnitude 1e9 rad or more, switches the position term off. dq = VelStopF switches the
+    velocity term off. A motor that is not in servo mode (0x0A) ignores the command and brakes.
     """
     return _plant.command_law(command, BRAKE_KD)
 
@@ -58,7 +58,7 @@ class Motors(_plant.Motors):
         dt: Physics step [s].
         lag: Time constant of the torque [s]; 0: none.
         scale_rng: Source of each motor's constant torque error; None: perfect motors.
-        flaws: Flaws with the bound on that error and the factor on all torques; None: the defaults.
+        flaws: Flaws with torque_error and torque_scale; None: the defaults.
     """
 
     def __init__(

@@ -31,8 +31,8 @@ def default_low_state() -> LowState:
     for i in range(MOTOR_COUNT):
         state.motorState[i].mode, state.motorState[i].temperature = SERVO_MODE, 35
     state.imu.temperature = 45
-    # Battery and temperatures are not modelled. Plausible constants [deg C], [%], [mA], [mV], far
-    # from all limits: a six-cell pack in the middle of its charge.
+    # Battery and temperatures are not modelled. The values are plausible constants [deg C], [%],
+    # [mA], [mV], far from all limits, of a battery with six cells.
     state.bms.version_h, state.bms.bms_status, state.bms.SOC = 1, 1, 80
     state.bms.current, state.bms.cycle = -3000, 50
     state.bms.BQ_NTC[:], state.bms.MCU_NTC[:] = 30, 32
@@ -41,6 +41,6 @@ def default_low_state() -> LowState:
 
 
 def measured_power(state: LowState) -> float:
-    """Return the sum of |tauEst dq| over the motors [W], which PowerProtect monitors."""
+    """Return the power [W] that PowerProtect monitors: sum of abs(tauEst dq) over the motors."""
     motors = state.raw.view(LOW_STATE)[0]["motorState"][:MOTOR_COUNT]
     return float(np.abs(motors["tauEst"] * motors["dq"]).sum())

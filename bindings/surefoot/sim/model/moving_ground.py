@@ -1,8 +1,8 @@
 """Moving ground under a standing robot: a platform that tilts, or a block that rises.
 
-The moving part is a body on its own joint, so heavy that the robot does not move it. Its velocity
-is set. If its position were set instead, the surface would jump, and a falling surface would leave
-the feet in the air.
+The platform or block is a body on its own joint, so heavy that the robot does not move it. The
+caller sets the velocity of this body. A position set instead would let the surface jump, and a
+surface that goes down would leave the feet in the air.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from surefoot.sim.settings import PlantSettings
 PLATFORM, BLOCK, GROUND_JOINT = "surefoot_platform", "surefoot_block", "surefoot_ground"
 # Chosen by hand; tests: test_plant_moving_ground.py.
 PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform: room for a robot that falls
-# [m] Half sides of the block. If smaller: a foot (radius 4 cm at most) that slides leaves the
-# block. If larger: other feet touch the block.
+# [m] Half sides of the block. A foot (radius at most 4 cm) that slides would leave a smaller block,
+# and other feet would touch a larger block.
 BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)
 # [m] Initial height of the block's top above the ground, so that the foot touches only the block.
 BLOCK_PROTRUSION = 0.001
-# [kg] of the block, [kg.m^2] of the platform: their inertia. The weight of a b1 (550 N) changes the
-# velocity by 1e-6 m/s in a control period. If larger: the solver loses precision
-# (physics/hanging.py).
+# Mass of the block [kg], and moment of inertia of the platform [kg.m^2]. The weight of a b1 (550 N)
+# changes the velocity by 1e-6 m/s in a control period. With larger values the solver loses
+# precision (physics/hanging.py).
 GROUND_INERTIA = 1e6
 
 

@@ -24,19 +24,21 @@ class Handles:
 
     Attributes:
         root: Body of the base.
-        motor_q: (12,) in qpos, rotor side of the gears, where motor torques and encoders are.
-        motor_v: (12,) in qvel, rotor side.
-        joint_q: (12,) in qpos, link side; the same as motor_q without backlash.
-        joint_v: (12,) in qvel, link side.
+        motor_q: (12,) indices into qpos: angles on the rotor's side of the gears, where the motor
+            torques and the encoders are.
+        motor_v: (12,) indices into qvel: velocities on the rotor's side.
+        joint_q: (12,) indices into qpos: angles on the link's side; without backlash the same as
+            motor_q.
+        joint_v: (12,) indices into qvel: velocities on the link's side.
         foot_bodies: (4,) bodies of the feet.
         foot_geoms: (4,) geoms of the foot spheres.
         ground_geom: Geom of the ground plane or platform.
         ground_geoms: ground_geom, and the block under a foot if there is one.
-        gyro: (3,) in sensordata, IMU axes.
-        accelerometer: (3,) in sensordata, IMU axes.
-        quaternion: (4,) in sensordata, IMU to world.
-        foot_forces: (4, 3) in sensordata, force of the ground on each foot, world axes.
-        ground_normal: (3,) unit vector out of the ground, world axes, at compile time.
+        gyro: (3,) entries of sensordata: angular velocity, IMU axes.
+        accelerometer: (3,) entries of sensordata: specific force, IMU axes.
+        quaternion: (4,) entries of sensordata: rotation from IMU to world axes, w x y z.
+        foot_forces: (4, 3) indices into sensordata: ground force on each foot, world axes.
+        ground_normal: (3,) unit vector out of the ground, world axes, when the model is compiled.
     """
 
     root: int

@@ -16,8 +16,8 @@ impratio, and by default the velocity gain of friction from the damping of the s
 the velocity gain are set so that the tangential behaviour does not change. Otherwise feet would
 creep, and a sliding foot would rise.
 
-The shin sinks with its foot, so shins do not touch soft ground. For all other parts, knees
-included, the ground is rigid.
+The calf sinks with its foot, so collisions of calves with soft ground are switched off. For all
+other parts the ground is rigid.
 """
 
 from __future__ import annotations

@@ -17,8 +17,9 @@ from surefoot.sim.model.urdf import find_mesh
 
 VISUAL_GROUP = 2  # geom group of visual meshes; MuJoCo shows groups 0 .. 2
 HIDDEN_GROUP = 3  # geom group that MuJoCo does not show
-# Number of cells along a mesh's diagonal when its vertices are merged. Chosen. If smaller: steps
-# are visible. If larger: more of the 440,000 triangles of go1 and b1 remain, which load slowly.
+# Number of cells along a mesh's diagonal when its vertices are merged. Chosen: with fewer cells,
+# steps are visible. With more cells, more of the 440,000 triangles of go1 and b1 remain, which load
+# slowly.
 MERGE_CELLS = 250
 _LINK_COLOURS = {  # key: a part of the link's name
     "hip": (0.20, 0.21, 0.23, 1.0),

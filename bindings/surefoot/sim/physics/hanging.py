@@ -11,10 +11,11 @@ from surefoot.sim.model.mujoco_handles import Handles
 CLEARANCE = 0.1  # [m] distance between the ground and the feet of straight legs; chosen
 # The base keeps its free joint, because removing this joint would change all indices into qpos and
 # qvel. A weld would act as a spring and cost solver time. Instead the base is heavy, and a damper
-# that MuJoCo integrates implicitly holds the base: the weight of the legs moves it by less than 1
-# um in ten minutes. A larger inertia without the damper loses solver precision: at 1e8 the leg
-# accelerations become inexact, at 1e12 joint limits and collisions produce wrong leg motions. Found
-# by trial. Test: legs move as with a base that is welded to the world (test_plant_hanging.py).
+# that MuJoCo integrates implicitly holds the base: the weight of the legs moves the base by less
+# than 1 um in ten minutes. A larger inertia without the damper loses solver precision: at 1e8 the
+# leg accelerations become inexact, at 1e12 joint limits and collisions produce wrong leg motions.
+# Found by trial. Test: the legs move as with a base that is welded to the world
+# (test_plant_hanging.py).
 _BASE_INERTIA = 1e6  # [kg], [kg.m^2]
 _BASE_DAMPING = 1e12  # [N.s/m], [N.m.s]
 

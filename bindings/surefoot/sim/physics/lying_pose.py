@@ -15,13 +15,13 @@ LYING_SETTLE_TIME = 4.0  # [s] time after a drop when braking motors have lowere
 # [m/s], [rad/s] Speed below which the robot is at rest. Upper bound: the arming checks' 0.05 rad/s.
 REST_SPEED = 0.05
 MAX_DROPS = 400  # measured: one drop in 4 to 30 succeeds, depending on robot and ground
-# Largest tilt at rest; must be below the arming checks' 25 degrees.
+# [rad] Largest tilt at rest; must be below the 25 degrees of the arming checks.
 MAX_REST_TILT = np.radians(20.0)
-# Tilt from which the body will not come to rest: twice MAX_REST_TILT.
+# [rad] Tilt above which a drop is given up. Chosen: twice MAX_REST_TILT.
 _ABORT_TILT = np.radians(40.0)
-_DROP_TILT = np.radians(10.0)  # bound of the uniform draws of roll and pitch
+_DROP_TILT = np.radians(10.0)  # [rad] bound of the uniform draws of roll and pitch
 _DROP_HEIGHT = 0.005  # [m] height of the lowest point above the ground: no bounce
-_LEG_CLEARANCE = 0.02  # [m] smallest distance, along the body, of front and rear leg of a side
+_LEG_CLEARANCE = 0.02  # [m] smallest distance, along the body, from a front to a rear leg
 
 
 def drop_robot(

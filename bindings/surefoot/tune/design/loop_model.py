@@ -19,11 +19,16 @@ from surefoot.tune.design.timing import Observers, Timing
 _MAX_STEP = 0.0005  # [s] longest time step of motor and body, as in the simulated robot
 # Copy of LegForces::kFilterTime.
 _FORCE_FILTER_TIME = 0.005  # [s] filter time of the ground forces computed from torques
-# Constants of the PushObserver, in order. [push_dead_band] Innovation above which the filter time
-# is shortened. [push_dead_band] Excess of the innovation that halves the filter time. [push_time]
-# Shortest filter time. [s] Longest duration of large innovations that shorten it. [s] Decrease of
-# this duration per second of small innovations.
-# Copies of the constants in controller/src/estimator/external_wrench/push_observer.cpp.
+# Constants of the PushObserver, copied from
+# controller/src/estimator/external_wrench/push_observer.cpp:
+# - _NOISE_BANDS: innovation above which the filter time is shortened, as a multiple of
+#   push_dead_band;
+# - _HALVING_BANDS: excess of the innovation that halves the filter time, as a multiple of
+#   push_dead_band;
+# - _MIN_TIME_RATIO: shortest filter time as a share of push_time;
+# - _MAX_SURPRISE_TIME [s]: limit of surprise_time, the duration of large innovations; only below
+#   this limit, large innovations shorten the filter time;
+# - _SURPRISE_DECAY [1]: decrease of surprise_time per time with small innovations.
 _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DECAY = (
     3.0,
     1.0,

@@ -18,14 +18,12 @@ MAX_GAIN_FACTOR = 30.0  # largest gain margin that is searched
 MIN_GAIN_FACTOR = 0.02  # smallest gain margin that is searched
 # Chosen: the goals (FREQUENCY_RANGE) and far above them; bounds the search at high rates.
 FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] range searched for the greatest stable frequency
-# Chosen: push and rest of the slowest goals take longer, see eight time constants below.
-_RUN_TIME, _END_WINDOW, _START_WINDOW = (
-    2.4,
-    0.4,
-    0.2,
-)  # [s] shortest duration of a run, and of the compared windows at its end and its beginning
-# Largest ratio of last to first peak acceleration that counts as decayed. Chosen. Larger than the
-# noise and friction of a loop at rest. If larger: a slow oscillation counts as decayed.
+# [s] Shortest duration of a run, and durations of the windows at its end and at its beginning.
+# oscillates() compares the accelerations in both windows. Chosen. Slow loops run for longer.
+_RUN_TIME, _END_WINDOW, _START_WINDOW = 2.4, 0.4, 0.2
+# Largest ratio of the accelerations in the last and the first window that counts as decayed.
+# Chosen: larger than the ratio that friction leaves in a loop at rest. With a larger value, a slow
+# oscillation would count as decayed.
 _DECAY_RATIO = 0.05
 # Numerical: rounding of the eigenvalues of an integrator, whose radius is 1.
 _STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable
@@ -75,7 +73,7 @@ def goal_pole(loop: ClosedLoop, goal: Goal) -> tuple[float, float]:
     # Ignore the pole of the payload observer, because it hardly moves the body.
     observer = 1.0 - loop.timing.period / loop.observers.payload_time
     z = np.delete(z, int(np.argmin(np.abs(z - observer))))
-    # Numerical: poles of delays are at 0.
+    # Ignore the poles of delays, which are at 0. The limit is numerical.
     s = np.log(z[np.abs(z) > 1e-6]) * loop.timing.rate
     wn = 2.0 * math.pi * goal.frequency
     desired_pole = wn * (-goal.damping + np.emath.sqrt(goal.damping**2 - 1.0))
@@ -113,7 +111,7 @@ def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
     goal = goal_from_gains(kp, kd)
     # A slow loop needs more time to settle: 8 time constants.
     settling = 8.0 / (min(goal.damping, 1.0) * 2.0 * math.pi * goal.frequency)
-    # [s] 20: chosen, bounds the time of very slow goals.
+    # The limit of 20 s is chosen; it bounds the run time for very slow goals.
     a = loop.simulate(kp, kd, max(_RUN_TIME, min(settling, 20.0)))
     if not np.isfinite(a).all():
         return True

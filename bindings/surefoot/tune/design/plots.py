@@ -13,12 +13,12 @@ from surefoot.tune.design.panels import add_legend, four_panels
 from surefoot.tune.design.stability_maps import draw_damping_map, draw_delay_map
 from surefoot.tune.design.timing import Observers
 
-# Chosen: a push of a loop of 1 Hz has settled in it.
-_RESPONSE_TIME = 1.2  # [s] time after a push that the plot shows
+# [s] Time after a push that the plot shows. Chosen: a loop of 1 Hz settles within this time.
+_RESPONSE_TIME = 1.2
 
 
 def draw_poles(design: Design) -> Figure:
-    """Draw the poles at rest in the z plane; for each axis, of the direction with least margin."""
+    """Draw the poles at rest in the z plane, for the least stable direction of each axis."""
     figure, axes = four_panels(7.4)
     circle = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 200))
     for axis, ax in zip(design.axes, axes, strict=True):

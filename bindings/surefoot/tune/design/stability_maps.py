@@ -16,7 +16,7 @@ from surefoot.tune.design.margins import max_stable_frequency, spectral_radius
 from surefoot.tune.design.panels import add_legend, four_panels
 from surefoot.tune.design.timing import MAX_DELAY_PERIODS, Observers
 
-# Limits of the pictures; chosen: beyond delays and goals of a robot that can be used.
+# Limits of the maps. Chosen: larger than the delays and goals that a robot can have.
 _MAX_SHOWN_DELAY = 0.03  # [s] greatest additional delay on the map; smaller at very high rates
 _DAMPINGS = np.linspace(0.2, 1.6, 11)
 _MAX_SHOWN_FREQUENCY = 16.0  # [Hz] upper end of the map

@@ -13,10 +13,10 @@ from surefoot.tune.design.directions import DIRECTION_NAMES, Array, Direction, S
 from surefoot.tune.design.qp_limits import GRAVITY, qp_limits
 from surefoot.tune.design.ranges import check_range
 
-# Factor on the joint friction. Chosen: from none to far above a worn gear.
+# Range of the factor on the joint friction. Chosen: from no friction to far more than a worn gear.
 FRICTION_SCALE_RANGE = (0.0, 10.0)
-# Impulse of the push as a share of the LIP push limit. Chosen. If smaller: joint friction hides the
-# motion. If larger: torques saturate.
+# Impulse of the push as a share of the LIP push limit. Chosen: joint friction hides the motion of a
+# weaker push, and a stronger push saturates the torques.
 _PUSH_SHARE = 0.5
 
 

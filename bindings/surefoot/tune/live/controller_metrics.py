@@ -20,7 +20,7 @@ def pose_errors(controller: StandController) -> tuple[float, float]:
 
 
 def torque_ratio(tau: Array, tau_max: Array) -> float:
-    """Return the greatest |tau| / tau_max of the motors; both are (12,) [N.m]."""
+    """Return the largest ratio of torque magnitude to torque limit; both are (12,) [N.m]."""
     return float(np.max(np.abs(tau) / tau_max))
 
 

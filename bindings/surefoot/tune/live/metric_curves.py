@@ -20,8 +20,8 @@ class TickMetrics(NamedTuple):
     Attributes:
         position_error: Distance of the estimated base from its reference position [mm].
         angle_error: Angle of the estimated base from its reference orientation [deg].
-        torque_ratio: Greatest |torque| / torque limit of the motors.
-        power: Sum of |torque * velocity| of the command [W].
+        torque_ratio: Largest ratio of torque magnitude to torque limit of the motors.
+        power: Sum over the motors of the absolute product of commanded torque and velocity [W].
         tick_us: Time from LowState to LowCmd [us]. Simulation: CPU time of update(). Robot on UDP:
             median of the tick times.
     """

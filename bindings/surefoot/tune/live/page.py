@@ -27,7 +27,7 @@ from surefoot.tune.live.world_panel import add_world_panel
 # Chosen for a person: smooth motion; plots ten times and texts four times a second.
 FRAME_PERIOD = 1.0 / 30.0  # [s] time between two frames
 _PLOT_EVERY, _TEXT_EVERY = 3, 8  # number of frames per refresh of the plots and of the texts
-_RETRY_TIME = 1.0  # [s] until the next frame after an error
+_RETRY_TIME = 1.0  # [s] time from an error to the next frame
 _PLOT_WIDTH, _PANEL_WIDTH = 330, 400  # [pixels]
 
 

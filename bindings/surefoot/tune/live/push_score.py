@@ -7,7 +7,7 @@ from surefoot.tune.cost import Cost, cost
 from surefoot.tune.trace import Trace
 
 # Chosen: a push of 0.1 s is settled within about 1 s; a slow fall takes longer.
-SCORE_TIME = 3.0  # [s] duration of a recording, from the begin of the push
+SCORE_TIME = 3.0  # [s] duration of a recording, from the beginning of the push
 
 
 class PushScore:

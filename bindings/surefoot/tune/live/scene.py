@@ -17,10 +17,8 @@ from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.support_polygon import SupportPolygon
 
 FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
-_MIN_DISPLACEMENT, _MIN_ROTATION = (
-    2e-5,
-    1e-5,
-)  # [m], [quaternion component] smallest change that is sent: less than a pixel
+# [m], [quaternion component] Smallest change that is sent. Chosen: less than a pixel.
+_MIN_DISPLACEMENT, _MIN_ROTATION = 2e-5, 1e-5
 # Chosen by eye.
 _REFLECTION_INTENSITY = 0.4  # intensity of the environment map
 _AMBIENT_INTENSITY = 1.2  # intensity of the ambient light, used without environment map
@@ -71,7 +69,7 @@ class Scene:
     def set_plain(self, plain: bool) -> None:
         """Switch shadows and reflections off (`plain`) or on.
 
-        Without a GPU they take most of the drawing time.
+        Without a GPU, shadows and reflections take most of the drawing time.
         """
         self._server.scene.configure_default_lights(True, cast_shadow=not plain)
         self._server.scene.configure_environment_map(

@@ -12,20 +12,20 @@ from surefoot.sim.settings import COARSE_DT
 
 # Derived: FIRST_PUSH_TIME + PUSH_COUNT PUSH_INTERVAL, so that the last push is settled.
 EPISODE_TIME = 6.6  # [s] duration of an episode
-# Chosen. The first push comes after the start has settled. The interval is longer than the time to
+# Chosen: the robot settles before the first push, and the interval is longer than the time to
 # settle, about 1 s.
 FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s], [s], [pushes]
-# Range of the impulse as a share of the LIP push limit. Chosen (docs/tuning-search.md). If smaller:
-# all gains survive the pushes. If larger: all gains fall.
+# Range of the impulse as a share of the LIP push limit. Chosen: with all gains the robot survives
+# weaker pushes, and falls after stronger ones.
 PUSH_LIMIT_SHARE = 0.35, 0.8
-# Chosen ranges of robots and grounds (docs/tuning-search.md); no measurement of real ones.
+# The following ranges of robots and grounds are chosen, not measured on real ones.
 MAX_PAYLOAD_SHARE = 0.2  # greatest payload as a share of the robot's mass
 FRICTION_RANGE = 0.5, 1.0  # range of the friction coefficient of the ground
 # Chosen: 8 ms, so that the gains keep a margin of delay (git 59a9cea).
 MAX_DELAY_STEPS = 8  # [physics steps] greatest additional delay of commands
 MOTOR_LAG_RANGE = 0.001, 0.004  # [s] range of the time constant of the motor torque
 JOINT_FRICTION_RANGE = 0.5, 2.0  # range of the factor on the joint friction of the model
-# Derived: seeds of a search stay below, so that no episode is used twice.
+# Derived: the seeds of a search stay below both values, so that no episode is used twice.
 FINAL_SEED = 5_000  # first seed of the episodes that choose between the best trials
 HELD_OUT_SEED = 10_000  # first seed of the episodes that only evaluate the result
 

@@ -14,8 +14,9 @@ from surefoot.tune.search.space import apply_parameters
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool
 
-# Chosen: the best of hundreds is partly lucky; each costs as many runs as a trial.
-FINALIST_COUNT = 5  # number of trials with the lowest cost that are evaluated again
+# Number of trials with the lowest cost that are evaluated again. Chosen: each of these evaluations
+# needs as many runs as a trial.
+FINALIST_COUNT = 5
 
 
 def select_best_trial(

@@ -25,8 +25,8 @@ from surefoot.tune.search.trial_journal import (
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool, open_worker_pool
 
-# Ratio of a trial's cost to the best cost above which the trial stops. Chosen. If smaller: one
-# unlucky episode spoils a trial. If larger: time is lost on trials that cannot win.
+# Ratio of a trial's cost to the best cost above which the trial stops. Chosen: with a smaller
+# ratio, one unlucky episode could stop a good trial. With a larger ratio, bad trials take longer.
 STOP_COST_RATIO = 3.0
 
 Progress = Callable[[int, int, float], None]

@@ -14,8 +14,7 @@ from surefoot.tune.search.settings import SearchSettings
 INITIAL_SIGMA = 0.25  # initial step size of CMA-ES as a share of the logarithmic range
 # Chosen: ten generations in the default of 200 trials.
 POPULATION_SIZE = 20  # population of NSGA-II
-# Smallest number of trials for importance(). Chosen. If smaller: the trials tell noise from
-# importance badly.
+# Smallest number of trials for importance(). Chosen: with fewer trials, the result is mostly noise.
 MIN_TRIALS = 20
 
 

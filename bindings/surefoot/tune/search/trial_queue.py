@@ -8,10 +8,11 @@ from surefoot._core import Error
 from surefoot.tune.search.rollout import Outcome, TrialJob, broken
 from surefoot.tune.search.worker_pool import WorkerPool
 
-# Chosen: a process may die for other reasons (memory, kill); gains that kill it do so again.
-MAX_ATTEMPTS = 3  # number of attempts alone after which a trial counts as broken
-# [s] Time between two checks whether workers exist. Chosen. If smaller: an idle scheduler is
-# loaded. Shorter than the time to start a worker.
+# Number of times that a suspected job runs alone before its trial counts as broken. Chosen: gains
+# that kill a worker do so every time, but a worker may also die for another reason.
+MAX_ATTEMPTS = 3
+# [s] Time between two checks whether workers exist. Chosen: shorter than the time to start a
+# worker. More frequent checks would load an idle scheduler.
 POLL_PERIOD = 2.0
 
 

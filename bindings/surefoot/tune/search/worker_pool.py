@@ -11,8 +11,8 @@ from surefoot._core import Error
 from surefoot.system.worker_processes import spawn_pool
 from surefoot.tune.search.rollout import Outcome, TrialJob, evaluate_exclusively
 
-# [s] Longest time to connect to the scheduler, and to disconnect. Chosen. Longer than the answer of
-# a slow network. If larger: a wrong address hangs the command.
+# [s] Longest time to connect to the scheduler, and to disconnect. Chosen: longer than a slow
+# network needs. With a larger value, a wrong address blocks the command for longer.
 CLUSTER_TIMEOUT = 10.0
 
 
