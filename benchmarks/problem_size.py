@@ -122,8 +122,8 @@ def time_case(case: Case, ticks: int) -> tuple[np.ndarray, tuple[int, int, int],
         iterations += solution.iterations
         failures += not surefoot.is_usable(solution.status)
     gc.enable()
-    program = controller.qp
-    size = (len(program.g), len(program.b), len(program.l))
+    qp = controller.qp
+    size = (len(qp.g), len(qp.b), len(qp.l))
     return np.array(durations), size, iterations / ticks, failures
 
 

@@ -90,7 +90,7 @@ class PushedRobot:
         self._robot, self._limits = robot, PushLimits(load_robot(robot))
         self._controller = controller_under_test(robot, values)
 
-    def foot_travel_penalty(self, heading: float, seed: int, level: float) -> float:
+    def foot_displacement_penalty(self, heading: float, seed: int, level: float) -> float:
         """Return the penalty of a push that is not in place, 0 .. 2.
 
         The penalty is (foot displacement - 10 mm) / 10 mm, clipped to 0.5 .. 2. It is 2 after a
@@ -141,9 +141,9 @@ def score(robot: str, values: dict[str, float], pushes: PushSet) -> tuple[float,
     """
     pushed, seeds = PushedRobot(robot, values), pushes.seeds
     cases = [(heading, seed) for heading in HEADINGS for seed in seeds]
-    penalty = sum(pushed.foot_travel_penalty(*case, pushes.in_place_level) for case in cases) / len(
-        seeds
-    )
+    penalty = sum(
+        pushed.foot_displacement_penalty(*case, pushes.in_place_level) for case in cases
+    ) / len(seeds)
     if penalty > MAX_PENALTY:
         return -penalty, []
     objective, counts = -penalty, np.zeros(len(HEADINGS))

@@ -29,12 +29,12 @@ class Transition:
 
     Attributes:
         row: First row after the load crossed the threshold.
-        closes: True if the foot becomes loaded, false if it becomes unloaded.
+        becomes_loaded: True if the foot becomes loaded, false if it becomes unloaded.
         fast: True if the load changes fast enough for the delay to count.
     """
 
     row: int
-    closes: bool
+    becomes_loaded: bool
     fast: bool
 
 
@@ -104,10 +104,10 @@ class TransitionScore:
         return TransitionScore(self.delays + other.delays, self.false + other.false, both)
 
 
-def score_transitions(share: Array, probability: Array, rate: float) -> TransitionScore:
+def score_transitions(share: Array, confidence: Array, rate: float) -> TransitionScore:
     """Score the contact confidence (n,) of a foot against its load (n,), a share of the weight."""
     truth = true_transitions(share, rate)
-    estimated = probability > 0.5
+    estimated = confidence > 0.5
     changes = np.flatnonzero(np.diff(estimated)) + 1
     early, late = round(MATCH_BEFORE * rate), round(MATCH_AFTER * rate)
     matched = np.zeros(len(changes), bool)
@@ -119,13 +119,13 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
         start = transition.row - early
         end = max(start + 1, min(end, transition.row + late))
         in_window = (changes >= start) & (changes < end)
-        right = np.flatnonzero(in_window & (estimated[changes] == transition.closes))
+        right = np.flatnonzero(in_window & (estimated[changes] == transition.becomes_loaded))
         if len(right):
             matched[right[0]] = True
             delay = (changes[right[0]] - transition.row) / rate
         else:
             # If the estimate already has the new state, there is no delay to measure.
-            delay = np.nan if estimated[max(0, start)] == transition.closes else np.inf
+            delay = np.nan if estimated[max(0, start)] == transition.becomes_loaded else np.inf
         if transition.fast:
             delays.append(float(np.maximum(delay, 0.0)))
     ambiguous = _near_partial_load(share, 2 * early) | _near_slow_transitions(
@@ -134,13 +134,15 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
     after_start = changes >= round(IGNORED_START * rate)
     short_contact = _load_crossed_threshold(share, changes, estimated[changes], early)
     false = int(np.sum(~matched & ~ambiguous[changes] & ~short_contact & after_start))
-    return TransitionScore(delays, false, _calibration(share, probability, truth, late))
+    return TransitionScore(delays, false, _calibration(share, confidence, truth, late))
 
 
-def _load_crossed_threshold(share: Array, changes: Array, closes: Array, reach: int) -> Array:
+def _load_crossed_threshold(
+    share: Array, changes: Array, becomes_loaded: Array, reach: int
+) -> Array:
     """Return which changes follow a load that crossed the threshold only for a short time."""
     windows = [share[max(0, row - reach) : row + 1] for row in changes]
-    pairs = zip(windows, closes, strict=True)
+    pairs = zip(windows, becomes_loaded, strict=True)
     return np.array(
         [w.max() > UNLOADED_BELOW if up else w.min() < LOADED_ABOVE for w, up in pairs], bool
     )
@@ -162,8 +164,8 @@ def _near_slow_transitions(size: int, truth: list[Transition], reach: int) -> Ar
     return near
 
 
-def _calibration(share: Array, probability: Array, truth: list[Transition], reach: int) -> Array:
+def _calibration(share: Array, confidence: Array, truth: list[Transition], reach: int) -> Array:
     rows = _near_slow_transitions(len(share), truth, reach) & (
         (share < UNLOADED_BELOW) | (share > LOADED_ABOVE)
     )
-    return np.stack([probability[rows], share[rows] > LOADED_ABOVE], axis=1)
+    return np.stack([confidence[rows], share[rows] > LOADED_ABOVE], axis=1)

@@ -42,18 +42,18 @@ class Scenario:
     steps: tuple[Step, ...] = ()
 
 
-def record(recording: Scenario) -> Log:
+def record(scenario: Scenario) -> Log:
     """Run the robot with its controller and return the LowStates and the truth as a log."""
-    plant = Plant(recording.robot, recording.plant)
+    plant = Plant(scenario.robot, scenario.plant)
     if not plant.settings.real:
         raise ValueError("sensors: got 'ideal', expected 'real'")
-    for push in [request.resolve(plant) for request in recording.pushes]:
+    for push in [request.resolve(plant) for request in scenario.pushes]:
         plant.add_push(push)
-    for lift in recording.lifts:
+    for lift in scenario.lifts:
         plant.add_lift(lift)
-    rows = LogBuilder(round(recording.duration * plant.settings.control_rate))
+    rows = LogBuilder(round(scenario.duration * plant.settings.control_rate))
     state = plant.reset()
-    control = _make_control(recording, plant)
+    control = _make_control(scenario, plant)
     for k in range(rows.size):
         command = control(k, state)
         # step() returns the LowState that is sampled at its start, so read the truth before step().
@@ -62,16 +62,16 @@ def record(recording: Scenario) -> Log:
         rows.add(state.raw, truth)
         if plant.truth.fell:
             break
-    return {**rows.log(), **_single_entries(recording, plant)}
+    return {**rows.log(), **_single_entries(scenario, plant)}
 
 
-def _make_control(recording: Scenario, plant: Plant) -> Callable[[int, LowState], LowCmd]:
+def _make_control(scenario: Scenario, plant: Plant) -> Callable[[int, LowState], LowCmd]:
     """Return the function that computes the command from a row and its LowState."""
-    if recording.steps:
-        stepper = Stepper(plant, recording.steps)
+    if scenario.steps:
+        stepper = Stepper(plant, scenario.steps)
         return lambda _row, _state: stepper.update()
     controller = StandController(plant.robot, plant.robot.config.gains)
-    references = body_references(recording.references, plant.settings.control_rate)
+    references = body_references(scenario.references, plant.settings.control_rate)
 
     def stand(row: int, state: LowState) -> LowCmd:
         if row in references:
@@ -81,12 +81,12 @@ def _make_control(recording: Scenario, plant: Plant) -> Callable[[int, LowState]
     return stand
 
 
-def _single_entries(recording: Scenario, plant: Plant) -> Log:
+def _single_entries(scenario: Scenario, plant: Plant) -> Log:
     R_base_imu = matrix_from_wxyz(plant.robot.config.quat_base_imu)
     return {
         "truth_gyro_bias": R_base_imu @ plant.imu_bias[:3],
         "truth_accelerometer_bias": R_base_imu @ plant.imu_bias[3:],
-        "push_times": np.array([push.time for push in recording.pushes]),
+        "push_times": np.array([push.time for push in scenario.pushes]),
         "weight": np.array(9.81 * plant.robot.mass),
         "fell": np.array(plant.truth.fell),
     }

@@ -164,7 +164,7 @@ def test_full_scorecard_has_5244_units_and_fine_steps_for_its_summary() -> None:
     settings = AssessSettings("go1", card=standard_scorecard("full"))
     units = [w.unit for w in planned_work(settings, LIMITS)]
     pushed = [u for u in units if isinstance(u, PushUnit)]
-    assert (len(units), len(pushed)) == (5244, 4640)  # as in docs/assess.md
+    assert (len(units), len(pushed)) == (5244, 4640)  # as in docs/reference/scorecard.md
     assert all(
         (u.finest_step == 2.5) == ((u.duration, u.push_height) == (0.1, 0.0)) for u in pushed
     )

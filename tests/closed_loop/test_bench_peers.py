@@ -62,7 +62,7 @@ class CurrentInterpreter(Environment):
 @pytest.fixture(scope="module")
 def recording():
     whole = record(BenchSettings(), "push50")
-    return replace(whole, reports=whole.reports[:TICKS])
+    return replace(whole, low_states=whole.low_states[:TICKS])
 
 
 @pytest.fixture(scope="module")
@@ -109,7 +109,7 @@ def test_working_peer_is_compared_in_paired_runs(recording, make_fake_peer, opti
 
 
 def test_recordings_are_pooled_and_one_failure_fails_the_peer(recording, make_fake_peer, options):
-    short = replace(recording, reports=recording.reports[:50])
+    short = replace(recording, low_states=recording.low_states[:50])
     both = [make_fake_peer("tsid", "os._exit(3)"), make_fake_peer("placo")]
     result = run_peers([short, recording], options, both)
     assert result["scenarios"] == {"push50": TICKS}
@@ -220,11 +220,11 @@ def test_python_ratio_is_used_without_a_compiler(recording, make_fake_peer, opti
 
 
 def test_cpp_ticks_match_python_ticks(recording, problem, options, tmp_path):
-    file = write_problem(problem, recording.reports, tmp_path)
+    file = write_problem(problem, recording.low_states, tmp_path)
     program = OUR_PROGRAM.build([PACKAGE_FOLDER, PACKAGE_FOLDER.parent / "cmeel.prefix"], options)
     sides = {
         "state_to_torque": StateToTorque(problem),
-        "tick": WholeTick(problem, recording.reports),
+        "tick": WholeTick(problem, recording.low_states),
     }
     for name, ours in sides.items():
         worker = Worker([str(program), str(file), name], tick_width(problem), 10.0)
@@ -248,7 +248,7 @@ def test_invalid_peer_options_are_refused(field, value):
 
 def test_bench_command_adds_peer_ratios_to_the_result(monkeypatch, capsys, make_fake_peer):
     def compare(recordings, options):
-        played = [replace(r, reports=r.reports[:TICKS]) for r in recordings[-1:]]
+        played = [replace(r, low_states=r.low_states[:TICKS]) for r in recordings[-1:]]
         return run_peers(played, replace(options, cpp=False), [make_fake_peer("tsid")])
 
     monkeypatch.setattr(peers.run, "run_peers", compare)

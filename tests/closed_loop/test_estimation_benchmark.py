@@ -116,11 +116,11 @@ def test_transitions_are_fast_or_slow_and_bounces_are_ignored() -> None:
     share[2000:2200] = np.linspace(0.25, 0.0, 200)
     share[2200:] = 0.0
     found = true_transitions(share, rate)
-    assert [(t.row, t.closes, t.fast) for t in found[:2]] == [
+    assert [(t.row, t.becomes_loaded, t.fast) for t in found[:2]] == [
         (500, False, True),
         (1006, True, True),
     ]
-    assert (found[2].closes, found[2].fast) == (False, False)
+    assert (found[2].becomes_loaded, found[2].fast) == (False, False)
     assert found[2].row == pytest.approx(2120, abs=2)
 
 

@@ -9,7 +9,7 @@ import surefoot
 from monitored_robot import MonitoredRobot
 from surefoot import FaultId, Mode, RequestStatus, Start
 from surefoot.faults.kinds.motor_faults import OVERHEATED_MODE, DeadMotor
-from surefoot.faults.matrix.verdict import fall_speed
+from surefoot.faults.matrix.verdict import allowed_descent_speed
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 
@@ -155,7 +155,7 @@ def test_robot_leaning_on_the_dead_leg_comes_down_slowly(robot: str) -> None:
     scene.run_for(2.0)
     assert scene.supervisor.mode == Mode.DAMPING
     assert scene.supervisor.damping_fault == FaultId.MOTOR_MODE
-    assert scene.max_sinking_speed < fall_speed(scene.height)
+    assert scene.max_sinking_speed < allowed_descent_speed(scene.height)
 
 
 def test_second_dead_motor_damps_the_robot() -> None:

@@ -37,10 +37,10 @@ struct BodyMotionFixture {
   }
   void run(double seconds) {
     for (int k = 0; k < seconds / kDt; ++k) {
-      const Vector6 before = vector_of(motion.position());
+      const Vector6 before = vector_of(motion.relative_pose());
       motion.update(gains, feet, -Vector3::UnitZ(), kDt);
       BOOST_REQUIRE(legs.solve(motion.p_base(), motion.R_base(), feet, Vector3::UnitZ()));
-      const Vector6 speed = (vector_of(motion.position()) - before) / kDt;
+      const Vector6 speed = (vector_of(motion.relative_pose()) - before) / kDt;
       max_acceleration = std::max(max_acceleration, (speed - last_speed).head<3>().norm() / kDt);
       last_speed = speed;
       max_speed = std::max(max_speed, speed.head<3>().norm());
@@ -75,7 +75,7 @@ BOOST_FIXTURE_TEST_CASE(reachable_target_is_reached_within_speed_and_acceleratio
   const BodyReference target{0.03, -0.02, -0.04, 0.1, -0.08, 0.15};
   motion.set_target(target);
   run(3.0);
-  BOOST_TEST((vector_of(motion.position()) - vector_of(target)).norm() < 1e-4);
+  BOOST_TEST((vector_of(motion.relative_pose()) - vector_of(target)).norm() < 1e-4);
   BOOST_TEST((motion.status().limit == ReachLimit::kNone));
   BOOST_TEST(max_speed <= gains.reference_speed + 1e-9);
   BOOST_TEST(max_speed > 0.6 * gains.reference_speed);
@@ -117,8 +117,8 @@ BOOST_FIXTURE_TEST_CASE(low_target_stops_at_a_knee_limit_and_reports_the_motor, 
   run(4.0);
   BOOST_TEST((motion.status().limit == ReachLimit::kJoint));
   BOOST_TEST(motion.status().motor % 3 != 0);
-  BOOST_TEST(motion.position().height < -0.05);
-  BOOST_TEST(motion.position().height > -0.25);
+  BOOST_TEST(motion.relative_pose().height < -0.05);
+  BOOST_TEST(motion.relative_pose().height > -0.25);
   BOOST_TEST(joint_margin() >= gains.reach_joint_margin - 1e-9);
   BOOST_TEST(joint_margin() < gains.reach_joint_margin + 2e-3);
   BOOST_TEST(motion.v_com().norm() == 0.0);
@@ -171,11 +171,11 @@ BOOST_FIXTURE_TEST_CASE(body_latched_outside_a_margin_moves_only_back_inside, Bo
   gains.reach_support_margin = 0.5;  // no robot has this margin
   motion.set_target({0.0, 0.04, 0.0, 0.0, 0.0, 0.0});
   run(1.0);
-  BOOST_TEST(motion.position().y < 0.021);
+  BOOST_TEST(motion.relative_pose().y < 0.021);
   BOOST_TEST((motion.status().limit == ReachLimit::kSupport));
   motion.set_target({0.0, 0.01, 0.0, 0.0, 0.0, 0.0});
   run(1.0);
-  BOOST_TEST(std::abs(motion.position().y - 0.01) < 1e-4);
+  BOOST_TEST(std::abs(motion.relative_pose().y - 0.01) < 1e-4);
 }
 
 BOOST_FIXTURE_TEST_CASE(moved_foot_shifts_the_com_reference_without_a_velocity_step,
@@ -196,7 +196,7 @@ BOOST_FIXTURE_TEST_CASE(huge_finite_target_stops_at_a_reach_limit, BodyMotionFix
   for (const double far : {1e3, 1e200, 1.7e308}) {
     motion.set_target({far, 0.0, 0.0, 0.0, 0.0, 0.0});
     run(2.0);
-    BOOST_TEST(motion.position().x > 0.02);
+    BOOST_TEST(motion.relative_pose().x > 0.02);
     BOOST_TEST((motion.status().limit != ReachLimit::kNone));
   }
 }
@@ -207,7 +207,7 @@ BOOST_FIXTURE_TEST_CASE(nan_target_reports_not_finite_until_the_next_target, Bod
   motion.set_target({std::nan(""), 0.0, 0.0, 0.0, 0.0, 0.0});
   run(2.0);
   BOOST_TEST((motion.status().limit == ReachLimit::kNotFinite));
-  BOOST_TEST(std::abs(motion.position().x - 0.02) < 1e-4);
+  BOOST_TEST(std::abs(motion.relative_pose().x - 0.02) < 1e-4);
   motion.set_target({});
   BOOST_TEST((motion.status().limit == ReachLimit::kNone));
 }
@@ -219,7 +219,7 @@ BOOST_FIXTURE_TEST_CASE(zero_target_returns_from_a_limit_to_the_latched_pose, Bo
   motion.set_target({});
   run(4.0);
   BOOST_TEST((motion.status().limit == ReachLimit::kNone));
-  BOOST_TEST(vector_of(motion.position()).norm() < 1e-4);
+  BOOST_TEST(vector_of(motion.relative_pose()).norm() < 1e-4);
   BOOST_TEST((motion.p_com() - center_of_mass(robot, state.q)).norm() < 1e-4);
 }
 
@@ -231,8 +231,8 @@ BOOST_FIXTURE_TEST_CASE(nan_target_keeps_the_previous_target, BodyMotionFixture)
   motion.set_target({0.0, 0.0, 0.0, std::numeric_limits<double>::infinity(), 0.0, 0.0});
   BOOST_TEST((motion.status().limit == ReachLimit::kNotFinite));
   run(3.0);
-  BOOST_TEST(std::abs(motion.position().height + 0.03) < 1e-4);
-  BOOST_TEST(vector_of(motion.position()).allFinite());
+  BOOST_TEST(std::abs(motion.relative_pose().height + 0.03) < 1e-4);
+  BOOST_TEST(vector_of(motion.relative_pose()).allFinite());
 }
 
 BOOST_FIXTURE_TEST_CASE(reference_velocities_match_the_derivative_of_the_pose, BodyMotionFixture) {

@@ -90,9 +90,9 @@ def test_a_bench_prints_a_table_and_writes_a_report(capsys, tmp_path):
 
 def test_recording_contains_standing_and_then_a_push():
     recording = record(BenchSettings(), "push50")
-    ticks = [report.tick for report in recording.reports]
+    ticks = [report.tick for report in recording.low_states]
     assert len(ticks) == 3500 and {b - a for a, b in itertools.pairwise(ticks)} == {2}
-    turns = [max(abs(w) for w in report.imu.gyroscope) for report in recording.reports]
+    turns = [max(abs(w) for w in report.imu.gyroscope) for report in recording.low_states]
     assert max(turns[500:600]) > 3.0 * max(turns[:500])
 
 
@@ -102,7 +102,7 @@ def test_recorded_body_references_are_replayed():
         recording = record(BenchSettings(), scenario)
         series, _ = tick_program.run_tick_program(recording, surefoot.QpForm.AUTO, 100)
         reference[scenario] = np.median(series["reference"].wall)
-    assert len(recording.references) == len(recording.reports)
+    assert len(recording.references) == len(recording.low_states)
     assert reference["motion"] > 3.0 * reference["quiet"]  # the reach check takes time
     short = replace(recording, references=recording.references[1:])
     with pytest.raises(

@@ -23,12 +23,12 @@ class ControllerFailure(Exception):
     """
 
 
-def checked_controller(act: ControlFunction) -> ControlFunction:
+def checked_controller(control: ControlFunction) -> ControlFunction:
     """Wrap a controller: turn its exceptions and its invalid commands into ControllerFailure."""
 
     def call(state: LowState) -> LowCmd:
         try:
-            command = act(state)
+            command = control(state)
         # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
         except BaseException as problem:
             raise ControllerFailure(f"threw {exception_text(problem)}") from None

@@ -14,7 +14,7 @@ from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.sim.settings import COARSE_DT
 
 # [s] Time in which the ground under a foot rises by step_m. Chosen as part of the protocol in
-# docs/assess.md: a step of 3 cm then rises at 6 cm/s. A faster step would throw the foot up.
+# docs/reference/scorecard.md: a step of 3 cm then rises at 6 cm/s. A faster step would throw the foot up.
 STEP_RISE_TIME = 0.5
 
 RobotSource = str | tuple[str, str]
@@ -79,8 +79,8 @@ def loop_delay(plant: Plant) -> float:
 
 def ground_motion_time(condition: Condition) -> float:
     """Return the time during which the ground moves [s]; 0 if it does not move."""
-    tilts = condition.tilt_deg / condition.tilt_deg_per_s
-    return max(tilts, STEP_RISE_TIME if condition.step_foot else 0.0)
+    tilt_time = condition.tilt_deg / condition.tilt_deg_per_s
+    return max(tilt_time, STEP_RISE_TIME if condition.step_foot else 0.0)
 
 
 def ground_mover(condition: Condition, plant: Plant) -> Callable[[float], None] | None:

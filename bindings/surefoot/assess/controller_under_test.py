@@ -83,13 +83,13 @@ class ControllerUnderTest:
         # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
         except BaseException as problem:
             raise ControllerFailure(f"the factory threw {exception_text(problem)}") from None
-        act = getattr(controller, "update", controller)
+        control = getattr(controller, "update", controller)
         # A dict has a method update(), but this method is not a controller.
-        if isinstance(controller, dict) or not callable(act):
+        if isinstance(controller, dict) or not callable(control):
             raise ControllerFailure(
                 f"the factory returned {type(controller).__name__}, expected a callable"
             )
-        return checked_controller(act)
+        return checked_controller(control)
 
 
 def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactory:

@@ -12,7 +12,7 @@ from surefoot.assess.condition_plant import RobotSource, describe_source
 from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.work_units import Heartbeat
 from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
-from surefoot.faults.matrix.run_matrix import run_or_fail
+from surefoot.faults.matrix.run_matrix import run_or_error_result
 from surefoot.robot.gain_files import gains_from_values
 
 
@@ -41,7 +41,7 @@ class FaultUnit:
         if controller_under_test.gains:
             setup = replace(setup, make_supervisor=_supervisor_factory(controller_under_test.gains))
         heartbeat()
-        cell_result = run_or_fail(setup, self.cell)
+        cell_result = run_or_error_result(setup, self.cell)
         return {name: cell_result[name] for name in ("row", "verdict", "reason")}
 
 

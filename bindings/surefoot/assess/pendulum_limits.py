@@ -83,16 +83,16 @@ def _survives(
 ) -> bool:
     """Return True if the pendulum survives a push with a constant force [N]."""
     x, v = _state_after_push(p, max_brake_force, force, duration, push_height)
-    most = max_brake_force / p.mass  # [m/s^2] largest deceleration that B allows
+    max_deceleration = max_brake_force / p.mass  # [m/s^2] largest deceleration that B allows
     w2 = GRAVITY / p.com_height
     # [m] B limits the braking at smaller x, the support edge at larger x.
-    x_switch = p.edge_distance - most / w2
+    x_switch = p.edge_distance - max_deceleration / w2
     if x >= x_switch:
         # The factor 1 + 1e-12 lets the exact LIP push limit survive despite rounding.
         return v <= math.sqrt(w2) * (p.edge_distance - x) * (1.0 + 1e-12)
     # The LIP brakes with B up to x_switch. There its speed may be at most w (d - x_switch), the
     # highest speed that the support edge allows it to brake.
-    return v**2 - 2.0 * most * (x_switch - x) <= most**2 / w2
+    return v**2 - 2.0 * max_deceleration * (x_switch - x) <= max_deceleration**2 / w2
 
 
 def _state_after_push(
@@ -100,11 +100,11 @@ def _state_after_push(
 ) -> tuple[float, float]:
     """Return position x [m] and velocity v [m/s] of the pendulum at the end of the push."""
     w2 = GRAVITY / p.com_height
-    most = max_brake_force / p.mass
-    x_switch = p.edge_distance - most / w2 - push_height * force / (p.mass * GRAVITY)
+    max_deceleration = max_brake_force / p.mass
+    x_switch = p.edge_distance - max_deceleration / w2 - push_height * force / (p.mass * GRAVITY)
     x, v, time_left = 0.0, 0.0, duration
     if x_switch > 0.0:
-        a = force / p.mass - most
+        a = force / p.mass - max_deceleration
         if a <= 0.0:
             return 0.0, 0.0
         time = min(time_left, math.sqrt(2.0 * x_switch / a))

@@ -13,7 +13,7 @@ from surefoot.assess.stance_model import StanceModel, stance_model
 # Largest depth of a push below the centre of mass, as a share of the centre of mass's height h.
 # Chosen: the push limits grow with h / (h + a), and a push near the ground does not tip the robot.
 # The lowest push of the scorecard, a = -0.1 m, has a share of about a third.
-MIN_HEIGHT_SHARE = 0.75
+MAX_DEPTH_SHARE = 0.75
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ def push_limit(
     Raises:
         Error: The robot cannot stand in this pose, or the push acts too close to the ground.
     """
-    lowest = -MIN_HEIGHT_SHARE * stance.height
+    lowest = -MAX_DEPTH_SHARE * stance.height
     if push_height < lowest:
         raise Error(
             f"heights_m: got {push_height:g}, expected from {lowest:.3f} up: nearer to the ground, "

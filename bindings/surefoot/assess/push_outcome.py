@@ -10,7 +10,7 @@ import numpy as np
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.geometry.rotations import Array
 
-# Protocol of docs/assess.md, chosen. The times are 15 and 10 time constants of the LIP (0.2 s);
+# Protocol of docs/reference/scorecard.md, chosen. The times are 15 and 10 time constants of the LIP (0.2 s);
 # longer times only cost run time. The tolerances exceed the motions that noise and soft contacts
 # cause (0.1 mm, 0.05 deg).
 SURVIVAL_TIME = 3.0  # [s] time after the end of a push without a fall that counts as survived

@@ -45,7 +45,7 @@ class TrueTrajectory:
 def roll_out(
     plant: Plant,
     condition: Condition,
-    act: ControlFunction,
+    control: ControlFunction,
     duration: float,
     on_tick: TickCallback | None = None,
 ) -> TrueTrajectory:
@@ -57,7 +57,7 @@ def roll_out(
     Args:
         plant: Plant of the condition; this function resets the plant.
         condition: Condition of the run; this function applies its frame losses and ground motion.
-        act: Controller, LowState -> LowCmd.
+        control: Controller, LowState -> LowCmd.
         duration: Duration of the run [s].
         on_tick: Function that is called in every tick, before the step of the plant.
 
@@ -77,7 +77,7 @@ def roll_out(
     for k in range(ticks):
         if not lost[0, k]:
             received = state
-        command = act(received)
+        command = control(received)
         if not lost[1, k] or applied is None:
             applied = (
                 LowCmd.from_bytes(command.raw.tobytes()) if condition.loss_percent else command

@@ -30,7 +30,7 @@ def run_assess(
         films: Folder for films of the failures; None: no films.
 
     Returns:
-        The filled scorecard as JSON values; docs/assess.md describes its keys.
+        The filled scorecard as JSON values; docs/reference/scorecard.md describes its keys.
 
     Raises:
         Error: The robot, controller, scorecard or store is invalid.

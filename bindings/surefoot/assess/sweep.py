@@ -10,7 +10,7 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.push_outcome import PushOutcome
 
-# Protocol of docs/assess.md, chosen so that a sweep takes 10 to 12 runs. START_LEVELS successive
+# Protocol of docs/reference/scorecard.md, chosen so that a sweep takes 10 to 12 runs. START_LEVELS successive
 # seeds together try all ten levels up to 100 %.
 MIN_LEVEL = 10.0  # [% of the push limit] lowest level
 MAX_LEVEL = 200.0  # [% of the push limit] highest level
@@ -86,25 +86,25 @@ def run_sweep(
         raise Error(
             f"finest: got {finest_step:g} %, expected {' or '.join(f'{s:g}' for s in FINE_STEPS)}"
         )
-    done = Sweep()
+    sweep = Sweep()
     for level in (*_levels(start_level, MAX_LEVEL - FINEST_STEP, COARSE_STEP), MAX_LEVEL):
-        done.outcomes[level] = run(level)
-        if not done.outcomes[level].survived:
+        sweep.outcomes[level] = run(level)
+        if not sweep.outcomes[level].survived:
             break
     for kind in ("survived", "in_place"):
         for step in (step for step in FINE_STEPS if step >= finest_step):
-            _refine(done, run, kind, step)
-    return done
+            _refine(sweep, run, kind, step)
+    return sweep
 
 
-def _refine(done: Sweep, run: Callable[[float], PushOutcome], kind: str, step: float) -> None:
+def _refine(sweep: Sweep, run: Callable[[float], PushOutcome], kind: str, step: float) -> None:
     """Try levels between the largest passed level and the first failed level, until one fails."""
-    last = done.largest_passed(kind)
-    levels_above = [level for level in done.outcomes if level > last]
+    last = sweep.largest_passed(kind)
+    levels_above = [level for level in sweep.outcomes if level > last]
     for level in _levels(last + step, min(levels_above, default=last) - step, step):
-        if level not in done.outcomes:
-            done.outcomes[level] = run(level)
-        if not getattr(done.outcomes[level], kind):
+        if level not in sweep.outcomes:
+            sweep.outcomes[level] = run(level)
+        if not getattr(sweep.outcomes[level], kind):
             break
 
 
@@ -113,7 +113,7 @@ def _levels(low: float, high: float, step: float) -> Iterator[float]:
         yield low + k * step
 
 
-def outcome_rows(done: Sweep) -> list[list[Any]]:
+def outcome_rows(sweep: Sweep) -> list[list[Any]]:
     """Return a sweep as JSON rows, the fields of PushOutcome after the level.
 
     Row: level, survived, in_place, foot_mm, return_error_mm, return_error_deg.
@@ -127,7 +127,7 @@ def outcome_rows(done: Sweep) -> list[list[Any]]:
             _rounded(o.return_error_mm),
             _rounded(o.return_error_deg),
         ]
-        for level, o in sorted(done.outcomes.items())
+        for level, o in sorted(sweep.outcomes.items())
     ]
 
 

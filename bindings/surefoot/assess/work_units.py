@@ -101,9 +101,9 @@ class PushUnit:
         plant.reseed(
             self.seed, [Push(self.direction_deg, impulse, self.duration, begin, self.push_height)]
         )
-        act = controller_under_test.make(plant.robot, loop_delay(plant))
-        length = run_duration(begin, self.duration)
-        return roll_out(plant, self.condition, act, length, on_tick)
+        control = controller_under_test.make(plant.robot, loop_delay(plant))
+        run_time = run_duration(begin, self.duration)
+        return roll_out(plant, self.condition, control, run_time, on_tick)
 
 
 @dataclass(frozen=True)
@@ -153,9 +153,9 @@ class StandUnit:
         condition = self._one_heading_condition
         plant = plant_of(source, condition)
         plant.reseed(self.seed)
-        length = condition.quiet_s + ground_motion_time(condition) + HOLD_TIME
-        act = controller_under_test.make(plant.robot, loop_delay(plant))
-        return roll_out(plant, condition, act, length, on_tick)
+        run_time = condition.quiet_s + ground_motion_time(condition) + HOLD_TIME
+        control = controller_under_test.make(plant.robot, loop_delay(plant))
+        return roll_out(plant, condition, control, run_time, on_tick)
 
     @property
     def _one_heading_condition(self) -> Condition:

@@ -19,7 +19,7 @@ class Recording:
     Attributes:
         scenario: A name in SCENARIOS.
         robot: Robot model of the controller.
-        reports: One LowState per tick, from the start until the end or the fall.
+        low_states: One LowState per tick, from the start until the end or the fall.
         period: Time between LowStates [s].
         fell: True if the run ended because the robot fell.
         references: Body reference of each tick; empty if the scenario sets none.
@@ -27,7 +27,7 @@ class Recording:
 
     scenario: str
     robot: Robot
-    reports: list[LowState]
+    low_states: list[LowState]
     period: float
     fell: bool
     references: tuple[BodyReference, ...] = ()
@@ -43,16 +43,16 @@ def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
     plant = definition.make_plant(settings.robot, settings.rate, settings.seed)
     robot = definition.controller_robot(plant.robot)
     controller = StandController(robot)
-    report = plant.reset()
-    reports, references = [], []
+    low_state = plant.reset()
+    low_states, references = [], []
     for tick in range(round(definition.duration * settings.rate)):
         # Append a copy, because the plant may reuse the memory of its LowState.
-        reports.append(LowState.from_bytes(report.to_bytes()))
+        low_states.append(LowState.from_bytes(low_state.to_bytes()))
         definition.apply_reference(controller, tick / settings.rate)
         if definition.body_reference is not None:
             references.append(definition.body_reference(tick / settings.rate))
-        report = plant.step(controller.update(report))
+        low_state = plant.step(controller.update(low_state))
         if plant.truth.fell:
             break
     period = 1.0 / settings.rate
-    return Recording(scenario, robot, reports, period, plant.truth.fell, tuple(references))
+    return Recording(scenario, robot, low_states, period, plant.truth.fell, tuple(references))

@@ -72,19 +72,21 @@ RATIOS = ("state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_p
 
 
 def _scenario_summary(recording: Recording, series: dict[str, Series]) -> dict[str, Any]:
-    reports = len(recording.reports)
+    tick_count = len(recording.low_states)
     stages = {
-        k: _stage_summary(s, reports) for k, s in series.items() if k not in (*WHOLE_CALLS, PACED)
+        k: _stage_summary(s, tick_count)
+        for k, s in series.items()
+        if k not in (*WHOLE_CALLS, PACED)
     }
     return {
-        "reports": reports,
+        "reports": tick_count,
         "fell": recording.fell,
-        **{name: series_statistics(series[name], reports) for name in WHOLE_CALLS},
+        **{name: series_statistics(series[name], tick_count) for name in WHOLE_CALLS},
         PACED: series_statistics(series[PACED], len(series[PACED].wall)),
         "stages_wall_us": stages,
     }
 
 
-def _stage_summary(series: Series, reports: int) -> dict[str, float]:
-    figures = series_statistics(series, reports)
+def _stage_summary(series: Series, tick_count: int) -> dict[str, float]:
+    figures = series_statistics(series, tick_count)
     return {**figures["wall_us"], "slowest": figures["slowest_us"]}

@@ -62,12 +62,12 @@ def run_tick_program(
     Raises:
         Error: The executable is missing, or it failed; the message has its error text.
     """
-    passes = math.ceil(ticks / len(recording.reports))
+    passes = math.ceil(ticks / len(recording.low_states))
     with tempfile.TemporaryDirectory() as folder:
-        robot, reports, out = (Path(folder) / name for name in ("robot", "reports", "out"))
+        robot, low_states, out = (Path(folder) / name for name in ("robot", "reports", "out"))
         recording.robot.save(str(robot))
-        reports.write_bytes(b"".join(report.to_bytes() for report in recording.reports))
-        arguments: list[str | Path] = [robot, reports, out]
+        low_states.write_bytes(b"".join(state.to_bytes() for state in recording.low_states))
+        arguments: list[str | Path] = [robot, low_states, out]
         arguments += ["--form", form.name.lower(), "--passes", str(passes)]
         arguments += ["--period-us", str(round(1e6 * recording.period))]
         if recording.references:

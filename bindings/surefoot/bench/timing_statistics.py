@@ -33,25 +33,25 @@ def histogram(durations: npt.ArrayLike) -> list[int]:
     return [int(count) for count in np.bincount(bins)]
 
 
-def slowest_tick(durations: npt.NDArray[np.float32], reports: int) -> float:
+def slowest_tick(durations: npt.NDArray[np.float32], ticks_per_pass: int) -> float:
     """Return the duration of the slowest tick [us]: the largest of all ticks' medians over passes.
 
     The machine causes most of the longest single durations. A tick that is slow in most passes is
     slow because of the controller.
     """
-    return round(float(np.median(durations.reshape(-1, reports), axis=0).max()), 3)
+    return round(float(np.median(durations.reshape(-1, ticks_per_pass), axis=0).max()), 3)
 
 
-def series_statistics(series: Series, reports: int) -> dict[str, Any]:
+def series_statistics(series: Series, ticks_per_pass: int) -> dict[str, Any]:
     """Return the figures of a series as JSON values.
 
     Args:
         series: Timings of one kind of call.
-        reports: Number of ticks per pass over the recording.
+        ticks_per_pass: Number of ticks per pass over the recording.
     """
     figures: dict[str, Any] = {
         "wall_us": distribution(series.wall),
-        "slowest_us": slowest_tick(series.wall, reports),
+        "slowest_us": slowest_tick(series.wall, ticks_per_pass),
     }
     if series.cpu is None:
         return figures

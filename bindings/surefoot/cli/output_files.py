@@ -15,46 +15,46 @@ from surefoot.files.atomic_write import write_text_atomically
 from surefoot.files.tables import check_table_name
 
 
-def check_json_path(place: str | None) -> None:
+def check_json_path(destination: str | None) -> None:
     """Raise Error if the file of --json cannot be written; call this before the run.
 
     Otherwise the result of the run would be lost.
     """
-    if place != "-":
-        check_output_path("--json", place)
+    if destination != "-":
+        check_output_path("--json", destination)
 
 
-def check_table_path(option: str, place: str | None) -> None:
-    """Raise Error unless `place` is None or a .csv or .npz file that can be written."""
-    if place is not None:
-        check_table_name(place, option)
-        check_output_path(option, place)
+def check_table_path(option: str, destination: str | None) -> None:
+    """Raise Error unless `destination` is None or a .csv or .npz file that can be written."""
+    if destination is not None:
+        check_table_name(destination, option)
+        check_output_path(option, destination)
 
 
-def check_output_path(option: str, place: str | None) -> None:
-    """Raise Error unless `place` is None or a file in a folder that can be written."""
-    if place is None:
+def check_output_path(option: str, destination: str | None) -> None:
+    """Raise Error unless `destination` is None or a file in a folder that can be written."""
+    if destination is None:
         return
-    path = Path(place)
+    path = Path(destination)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
         raise Error(f"{option}: got '{path}', expected a file in a folder that can be written")
 
 
-def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2) -> None:
+def write_json(destination: str | None, result: dict[str, Any], indent: int | None = 2) -> None:
     """Write a result as one JSON object to a file or, for "-", to stdout.
 
     Args:
-        place: Path, "-" for stdout, or None to write nothing.
+        destination: Path, "-" for stdout, or None to write nothing.
         result: The object.
         indent: Spaces of indentation; None writes one line, for long logs.
     """
-    if place is None:
+    if destination is None:
         return
     text = json.dumps(result, indent=indent, allow_nan=False) + "\n"
-    if place == "-":
+    if destination == "-":
         sys.stdout.write(text)
         return
-    write_text_atomically(Path(place), text)  # atomic: a second Ctrl-C may interrupt
+    write_text_atomically(Path(destination), text)  # atomic: a second Ctrl-C may interrupt
 
 
 def check_report_folder(folder: str | None, command: str, module: str) -> None:

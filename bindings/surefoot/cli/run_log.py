@@ -41,18 +41,18 @@ def write_run_log(path: str, log: RunLog) -> float:
     Raises:
         OSError: The file could not be written.
     """
-    time, reports, commands = log.time, log.samples, log.commands
+    time, low_states, commands = log.time, log.samples, log.commands
     extras = {
         "time": time,
         "heard": log.has_new_state,
         "mode": _enum_names(Mode, log.mode),
         "damping": _enum_names(FaultId, log.damping_fault),
         "tau": commands.view(LOW_CMD)[:, 0]["motorCmd"]["tau"][:, :MOTOR_COUNT],
-        "reports": reports,
+        "reports": low_states,
         "commands": commands,
     }
     elapsed = time - time[0]
-    columns = sensor_columns(reports) | {"time": elapsed[:, None]}
+    columns = sensor_columns(low_states) | {"time": elapsed[:, None]}
     if _restarted(columns["tick"][:, 0]):  # the robot's clock restarted, so use the host's clock
         del columns["tick"]
     sensors = SensorLog("surefoot run", columns, elapsed, clock="time")

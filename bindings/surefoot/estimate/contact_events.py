@@ -58,8 +58,8 @@ def slip_events(estimate: Estimate) -> list[dict[str, object]]:
     time = np.concatenate([estimate.time[:1], estimate.time])
     slip = np.vstack([np.zeros((1, 4)), estimate.slip])
     changes = transitions(time, slip)
-    still = [Transition(end, leg, False) for leg in range(4)]
-    for change in [*changes, *still]:
+    slip_ends = [Transition(end, leg, False) for leg in range(4)]
+    for change in [*changes, *slip_ends]:
         if change.begins:
             start_times[change.leg] = change.time
         elif change.leg in start_times:

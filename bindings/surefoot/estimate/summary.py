@@ -116,14 +116,14 @@ def _sensors(estimate: Estimate) -> dict[str, Any]:
                 for code in np.unique(codes)
             },
         }
-    taken = estimate.status == Status.OK.value
-    dimension = estimate.nis_dimension[taken].sum()
+    accepted = estimate.status == Status.OK.value
+    dimension = estimate.nis_dimension[accepted].sum()
     return {
         "gyroscope_bias": estimate.gyroscope_bias[-1],
         "gyroscope_bias_std": estimate.std[-1, 9:12],
         "accelerometer_bias": estimate.accelerometer_bias[-1],
         "accelerometer_bias_std": estimate.std[-1, 12:15],
-        "nis_per_dimension": estimate.nis[taken].sum() / dimension if dimension > 0 else None,
+        "nis_per_dimension": estimate.nis[accepted].sum() / dimension if dimension > 0 else None,
         "verdicts": verdicts,
     }
 

@@ -10,8 +10,8 @@ from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS
 
 def headline(s: dict[str, Any]) -> str:
     """Return one sentence with robot, rows and duration."""
-    taken = s["statuses"].get("OK", 0)
-    return f"{s['robot']}: {taken} of {s['rows']} rows estimated over {s['duration']:.3g} s"
+    accepted = s["statuses"].get("OK", 0)
+    return f"{s['robot']}: {accepted} of {s['rows']} rows estimated over {s['duration']:.3g} s"
 
 
 def log_line(s: dict[str, Any]) -> str:
@@ -73,5 +73,5 @@ def values_with_std(
     """Return values with their standard deviations as text."""
     if any(value is None for value in [*values, *std]):
         return "unknown"
-    told = ", ".join(f"{v:.{n}f} +- {s:.{n}f}" for v, s in zip(values, std, strict=True))
-    return f"{told} {unit}"
+    value_texts = ", ".join(f"{v:.{n}f} +- {s:.{n}f}" for v, s in zip(values, std, strict=True))
+    return f"{value_texts} {unit}"

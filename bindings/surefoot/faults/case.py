@@ -54,7 +54,7 @@ def case(
     injection: str,
     description: str,
     make_fault: Callable[[], Fault],
-    up: Expectation,
+    not_lying: Expectation,
     lying: Expectation | None = REFUSE,
     rising: Expectation | None = None,
     modes: tuple[str, ...] = MODES,
@@ -69,16 +69,16 @@ def case(
         injection: See Case.
         description: See Case.
         make_fault: See Case.
-        up: Expectation for the modes rising, standing and pushed.
+        not_lying: Expectation for the modes rising, standing and pushed.
         lying: Expectation for the mode lying; None: no cell for this mode.
-        rising: Expectation for the mode rising; None: `up`.
+        rising: Expectation for the mode rising; None: `not_lying`.
         modes: Modes for which the case has cells.
         refusal_text: See Case.
         level: See Case.
         slow_descent: See Case.
-        pushed: Expectation for the mode pushed; None: `up`.
+        pushed: Expectation for the mode pushed; None: `not_lying`.
     """
-    expected = {mode: up for mode in modes}
+    expected = {mode: not_lying for mode in modes}
     if "rising" in expected and rising is not None:
         expected["rising"] = rising
     if "pushed" in expected and pushed is not None:

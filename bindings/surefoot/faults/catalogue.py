@@ -56,7 +56,7 @@ class Cell:
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
 
     @property
-    def starts_standing(self) -> bool:
+    def can_start_standing(self) -> bool:
         """True if the cell can also run with a robot that stands when the supervisor starts."""
         return self.mode in ("standing", "pushed") and not self.case.make_fault().from_start
 
@@ -82,12 +82,12 @@ def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list
 
     Args:
         patterns: Row ids, or ROW/INJECTION/MODE with the wildcards ``*`` and ``?``.
-        taken_over: True: choose only from the cells whose property starts_standing is True.
+        taken_over: True: choose only from the cells whose property can_start_standing is True.
 
     Raises:
         Error: A pattern matches no cell.
     """
-    cells = [cell for cell in all_cells() if cell.starts_standing or not taken_over]
+    cells = [cell for cell in all_cells() if cell.can_start_standing or not taken_over]
     if not patterns:
         return cells
     for pattern in patterns:

@@ -23,15 +23,15 @@ def atomic_path(path: Path) -> Iterator[Path]:
         yield path
         return
     path = path.resolve()
-    beside = path.with_name(path.name + ".part")
+    temporary_path = path.with_name(path.name + ".part")
     try:
-        yield beside
-        os.replace(beside, path)
+        yield temporary_path
+        os.replace(temporary_path, path)
     finally:
-        beside.unlink(missing_ok=True)
+        temporary_path.unlink(missing_ok=True)
 
 
 def write_text_atomically(path: Path, text: str) -> None:
     """Write a text file atomically, in UTF-8; raise OSError if the file cannot be written."""
-    with atomic_path(path) as beside:
-        beside.write_text(text, encoding="utf-8")
+    with atomic_path(path) as temporary_path:
+        temporary_path.write_text(text, encoding="utf-8")

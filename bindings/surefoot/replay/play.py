@@ -76,7 +76,7 @@ def play(recording: Recording, robot: Robot, progress: Progress | None = None) -
     for call in recording.calls:
         calls.setdefault(call.row, []).append(call)
     commands = np.zeros_like(recording.commands)
-    answers: list[Difference] = []
+    answer_differences: list[Difference] = []
     state, ticks = LowState(), recording.samples.view(LOW_STATE)[:, 0]["tick"]
 
     def repeat_calls(k: int) -> None:
@@ -85,7 +85,7 @@ def play(recording: Recording, robot: Robot, progress: Progress | None = None) -
             if answer != call.answer:
                 field = f"answer of {call.name}()"
                 tick = int(ticks[min(k, len(ticks) - 1)])
-                answers.append(Difference(k, tick, field, call.answer, answer))
+                answer_differences.append(Difference(k, tick, field, call.answer, answer))
 
     for k, sample in enumerate(recording.samples):
         repeat_calls(k)
@@ -95,7 +95,7 @@ def play(recording: Recording, robot: Robot, progress: Progress | None = None) -
             progress("replay", k + 1, len(commands))
     repeat_calls(len(commands))  # after the last update
     rows = np.flatnonzero((commands != recording.commands).any(axis=1))
-    differences = answers[:1]
+    differences = answer_differences[:1]
     if len(rows) and not (differences and differences[0].row <= rows[0]):
         k = int(rows[0])
         differences = [_difference(k, int(ticks[k]), recording.commands[k], commands[k])]

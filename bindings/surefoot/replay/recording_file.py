@@ -15,7 +15,7 @@ from surefoot.files.tables import write_npz
 from surefoot.replay.recording import Call, Recording
 from surefoot.sensor_log.column_definitions import REPLAY_PREFIX
 
-_REPORTS, _COMMANDS, _HEADER = (
+_LOW_STATES, _COMMANDS, _HEADER = (
     f"{REPLAY_PREFIX}{name}" for name in ("reports", "commands", "head")
 )
 _FORMAT = 1
@@ -27,7 +27,7 @@ def recording_columns(recording: Recording) -> dict[str, np.ndarray]:
     header = {name: value for name, value in vars(recording).items() if name in _KEYS}
     header["calls"] = [asdict(call) for call in recording.calls]
     return {
-        _REPORTS: recording.samples,
+        _LOW_STATES: recording.samples,
         _COMMANDS: recording.commands,
         _HEADER: np.array(json.dumps({"format": _FORMAT, **header})),
     }
@@ -53,11 +53,11 @@ def read_recording(path: str | Path) -> Recording:
         raise Error(f"log: got '{path}', expected a .npz file: a CSV lacks the options and calls")
     try:
         with np.load(path, allow_pickle=False) as file:
-            missing = [name for name in (_REPORTS, _COMMANDS, _HEADER) if name not in file.files]
+            missing = [name for name in (_LOW_STATES, _COMMANDS, _HEADER) if name not in file.files]
             if missing:
                 raise Error(f"{path}: got no {missing[0]}, expected a log of surefoot stand --log")
             samples, commands, header = (
-                file[_REPORTS],
+                file[_LOW_STATES],
                 file[_COMMANDS],
                 json.loads(str(file[_HEADER])),
             )
@@ -75,7 +75,7 @@ def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -
         Error: An array or the header has a wrong type, shape or format.
     """
     for name, rows, width in (
-        (_REPORTS, samples, len(LowState().raw)),
+        (_LOW_STATES, samples, len(LowState().raw)),
         (_COMMANDS, commands, len(LowCmd().raw)),
     ):
         if rows.dtype != np.uint8 or rows.ndim != 2 or rows.shape[1] != width or not len(rows):

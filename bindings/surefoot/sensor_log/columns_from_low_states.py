@@ -8,16 +8,16 @@ import numpy.typing as npt
 from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 
 
-def sensor_columns(reports: npt.NDArray[np.uint8]) -> dict[str, np.ndarray]:
+def sensor_columns(low_states: npt.NDArray[np.uint8]) -> dict[str, np.ndarray]:
     """Return the sensor values of LowStates as log columns, without loss of precision.
 
     Args:
-        reports: Packed LowStates, (n, 937) bytes.
+        low_states: Packed LowStates, (n, 937) bytes.
 
     Returns:
         Arrays (n, width) by column name. The clock is `tick`.
     """
-    states = np.ascontiguousarray(reports).view(LOW_STATE)[:, 0]
+    states = np.ascontiguousarray(low_states).view(LOW_STATE)[:, 0]
     motors = states["motorState"][:, :MOTOR_COUNT]
     columns = {"tick": states["tick"][:, None]}
     columns |= {name: states[name] for name in ("gyroscope", "accelerometer", "quaternion")}

@@ -34,7 +34,7 @@ class Flaws:
 
     gyro_bias: Bias = None
     accelerometer_bias: Bias = None
-    torque_error: float = 0.05  # assumed; docs/virtual-robot.md states it
+    torque_error: float = 0.05  # assumed; docs/reference/virtual-robot.md states it
     torque_scale: float = 1.0
     trunk_mass_scale: float = 1.0
     trunk_com_shift: tuple[float, float, float] = (0.0, 0.0, 0.0)

@@ -36,11 +36,11 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
             # tolerance [m^2] covers rounding.
             if np.any((points - a) @ normal > 1e-12):
                 continue
-            gap, speed = float((a - origin) @ normal), float(direction @ normal)
+            gap, approach = float((a - origin) @ normal), float(direction @ normal)
             if gap < 0.0:
                 return 0.0
-            if speed > 0.0:
-                distance = min(distance, gap / speed)
+            if approach > 0.0:
+                distance = min(distance, gap / approach)
     return distance
 
 

@@ -10,7 +10,7 @@ from surefoot._core import Robot
 from surefoot.geometry.batch_rotations import matrices_from_xyzw, rpy_from_matrices
 from surefoot.stand.stand_log import Array
 
-_FORE_AFT_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # front feet FR FL minus rear feet RR RL
+_FRONT_REAR_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # front feet FR FL minus rear feet RR RL
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ def up_in_base(q: Array) -> Array:
 
 def feet_heading(feet: Array) -> Array:
     """Return the headings (n,) [rad] of feet (n, 3, 4): the direction from rear to front feet."""
-    forward = feet @ _FORE_AFT_SIGNS
+    forward = feet @ _FRONT_REAR_SIGNS
     return np.asarray(np.arctan2(forward[:, 1], forward[:, 0]))
 
 
@@ -93,7 +93,7 @@ def pose_in_support(q: Array, feet: Array) -> FootFramePose:
     diagonals = feet[:, :, 1] - feet[:, :, 2], feet[:, :, 3] - feet[:, :, 0]
     z = np.cross(*diagonals)
     z /= np.linalg.norm(z, axis=1, keepdims=True)
-    forward = feet @ _FORE_AFT_SIGNS
+    forward = feet @ _FRONT_REAR_SIGNS
     y = np.cross(z, forward)
     y /= np.linalg.norm(y, axis=1, keepdims=True)
     to_frame = np.stack([np.cross(y, z), y, z], axis=1)

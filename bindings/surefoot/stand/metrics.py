@@ -53,13 +53,13 @@ def _pose_errors(log: StandLog) -> dict[str, Any]:
     # Here the frame's z axis is world z.
     tilt_error = angle_between(up[-1:], requested.rotation[-1:, 2, :])
     yaw = np.degrees(wrap_angle(pose.rpy[-1, 2] - requested.rpy[-1, 2]))
-    travel = np.linalg.norm(log.feet - log.feet[0], axis=1)
+    displacement = np.linalg.norm(log.feet - log.feet[0], axis=1)
     return {
         "height_error_mm": 1000.0 * abs(pose.position[-1, 2] - requested.position[-1, 2]),
         "tilt_error_deg": np.degrees(tilt_error[0]),
         "yaw_error_deg": abs(yaw),
         "max_tilt_deg": tilt.max(),
-        "max_foot_travel_mm": 1000.0 * travel.max(),
+        "max_foot_travel_mm": 1000.0 * displacement.max(),
     }
 
 

@@ -31,7 +31,7 @@ class SensorRecorder:
         self._truths.append(truth)
 
     @property
-    def reports(self) -> npt.NDArray[np.uint8]:
+    def low_states(self) -> npt.NDArray[np.uint8]:
         """(n, 937) bytes of the LowStates recorded so far."""
         return np.frombuffer(b"".join(self._states), dtype=np.uint8).reshape(-1, LOW_STATE.itemsize)
 
@@ -44,7 +44,7 @@ class SensorRecorder:
         Raises:
             Error: The clock of the LowStates is constant, goes backwards, or has a wrong unit.
         """
-        columns = sensor_columns(self.reports)
+        columns = sensor_columns(self.low_states)
         columns.update(self._truth_columns())
         clock, time = read_clock(source, columns)
         return SensorLog(source, columns, time, clock)

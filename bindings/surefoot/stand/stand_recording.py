@@ -24,4 +24,4 @@ def stand_recording(log: StandLog, sensors: SensorRecorder) -> Recording:
         if row < len(log.commands)
     )
     header = recording_header(log.robot, settings.gains, settings.options)
-    return Recording(**header, samples=sensors.reports, commands=log.commands, calls=calls)
+    return Recording(**header, samples=sensors.low_states, commands=log.commands, calls=calls)

@@ -75,8 +75,8 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
     if len(trace) == 0:
         raise Error("cost: got a trace without rows, expected at least one")
     terms = _cost_terms(trace)
-    whole = max(expected_rows or len(trace), 1)
-    terms["fall"] = FALL_COST * (2.0 - min(len(trace) / whole, 1.0)) if trace.fell else 0.0
+    planned_rows = max(expected_rows or len(trace), 1)
+    terms["fall"] = FALL_COST * (2.0 - min(len(trace) / planned_rows, 1.0)) if trace.fell else 0.0
     # A diverged simulation makes terms NaN or infinite. Replace each such term by FALL_COST.
     terms = {
         name: float(np.nan_to_num(term, nan=FALL_COST, posinf=FALL_COST))

@@ -120,7 +120,7 @@ class VirtualRobot:
                 self._on_message(f"{time:.3f} s: first valid command")
             if self.watchdog.feed(time):
                 self._on_message(f"{time:.3f} s: commands are back, motors follow them")
-        elif self.watchdog.expires(time):
+        elif self.watchdog.check_timeout(time):
             self.plant.apply_law(damping_law())
             milliseconds = 1000.0 * self.settings.timeout
             self._on_message(f"{time:.3f} s: no valid command for {milliseconds:g} ms, motors damp")

@@ -102,25 +102,25 @@ class _RunLoop:
     ) -> dict[str, Any]:
         robot, period = self._robot, 1.0 / self._robot.settings.rate
         ui_cycles = max(1, round(_UI_PERIOD / period))
-        clock, next_line = RealTimePacer(period), _STATUS_PERIOD
+        pacer, next_line = RealTimePacer(period), _STATUS_PERIOD
         while not stopped() and robot.time < duration - 1e-9:
             robot.cycle()
             self._recorder.observe()
             self._status.observe()
-            slipped = clock.slipped
-            clock.wait()
-            if clock.slipped > slipped:
-                delay_ms = 1000.0 * (clock.slipped - slipped)
+            slipped = pacer.slipped
+            pacer.wait()
+            if pacer.slipped > slipped:
+                delay_ms = 1000.0 * (pacer.slipped - slipped)
                 on_message(
                     f"{robot.time:.3f} s: this machine delayed the robot by {delay_ms:.0f} ms"
                 )
-            if clock.cycles % ui_cycles == 0 and not self._update_ui():
+            if pacer.cycles % ui_cycles == 0 and not self._update_ui():
                 break
-            elapsed = clock.elapsed
+            elapsed = pacer.elapsed
             if elapsed >= next_line:
                 on_message(self._status.line(elapsed))
                 next_line = max(next_line + _STATUS_PERIOD, elapsed)
-        return summarise(robot, self._recorder, clock.real_time_factor, clock.slipped)
+        return summarise(robot, self._recorder, pacer.real_time_factor, pacer.slipped)
 
     def _update_ui(self) -> bool:
         """Poll the keyboard and update the window; return False if the window was closed."""

@@ -36,7 +36,7 @@ class Watchdog:
         self.received_any, self._last_command_time = True, time
         return was_damping
 
-    def expires(self, time: float) -> bool:
+    def check_timeout(self, time: float) -> bool:
         """Begin an interval if the timeout is over at a time [s]; return True if it begins now."""
         if not self.received_any or self.damping or self._timeout <= 0.0:
             return False

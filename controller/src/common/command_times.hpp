@@ -14,7 +14,7 @@ constexpr double kHoldTime = 0.010;
 constexpr double kStaleTime = 0.020;
 /// [s] Time without a command after which a robot damps by itself. After a gap of this length the
 /// controller latches damping too. Assumed for the vendor's firmware; the virtual robot does the
-/// same (docs/faults.md).
+/// same (docs/reference/fault-injection.md).
 constexpr double kRobotWatchdogTime = 0.100;
 
 }  // namespace surefoot

@@ -98,11 +98,11 @@ inline FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
 /// @return velocities FR FL RR RL, world axes [m/s]
 inline FeetMatrix rolling_velocities(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                                      const Vector3& lever) noexcept {
-  FeetMatrix rates;
+  FeetMatrix velocities;
   for (int leg = 0; leg < kLegs; ++leg) {
-    rates.col(leg) = contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
+    velocities.col(leg) = contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
   }
-  return rates;
+  return velocities;
 }
 
 }  // namespace surefoot

@@ -96,16 +96,16 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   // Drift: classical acceleration of the foot centre at zero generalised acceleration, plus the
   // rolling term. Pinocchio's a_gf includes -gravity; adding gravity removes it.
   const auto& twist = data.v[frame.parentJoint];
-  const auto& accel = data.a_gf[frame.parentJoint];
+  const auto& acceleration = data.a_gf[frame.parentJoint];
   const Vector3 w = twist.angular();
   const Vector3 r = frame.placement.translation();
   out.w_world_shank = placement.rotation() * w;
   out.v_world_contact =
       placement.rotation() * (twist.linear() + w.cross(r)) + lever.cross(placement.rotation() * w);
-  const Vector3 centre =
-      accel.linear() + accel.angular().cross(r) + w.cross(twist.linear() + w.cross(r));
-  out.drift = placement.rotation() * centre + model.gravity.linear() +
-              lever.cross(placement.rotation() * accel.angular());
+  const Vector3 a_centre = acceleration.linear() + acceleration.angular().cross(r) +
+                           w.cross(twist.linear() + w.cross(r));
+  out.drift = placement.rotation() * a_centre + model.gravity.linear() +
+              lever.cross(placement.rotation() * acceleration.angular());
 
   for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
   // In a robot with further joints, the joints of a leg may not be adjacent in v. Only the upper

@@ -11,7 +11,7 @@ namespace surefoot {
 namespace {
 // Largest number of Newton steps. Chosen: each step doubles the number of correct digits, so more
 // steps would find no further solution.
-constexpr int kIterations = 6;
+constexpr int kMaxNewtonSteps = 6;
 // [m] Foot error below which a solution is accepted. Chosen smaller than the resolution of the
 // encoders, 6e-6 m at the foot.
 constexpr double kTolerance = 1e-6;
@@ -46,7 +46,7 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
   q_trial_ = q_;
   q_trial_.head<3>() = p_base;
   q_trial_.segment<4>(3) = R_base.coeffs();
-  for (int k = 0; k < kIterations; ++k) {
+  for (int k = 0; k < kMaxNewtonSteps; ++k) {
     const double error = newton_step(centres, lever);
     if (!(error < 10.0)) return false;  // [m] larger than any robot, or infinite
     if (error > kTolerance) continue;

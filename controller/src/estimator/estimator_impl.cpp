@@ -17,11 +17,11 @@ constexpr double kMinTravelSpeed = 0.05;
 // [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen
 // larger than the velocity error after a blow that saturates the accelerometer. Test:
 // test_estimate_recovers_from_a_saturated_accelerometer.
-constexpr double kVelocitySigma = 1.0;
+constexpr double kRecoveryVelocitySigma = 1.0;
 // Contact confidence above which a foot counts as a stance foot for FootNoise and for the recovery
 // from rejected feet. Chosen larger than 0.5, which is reached half-way through contact_dwell, and
 // smaller than 1, which a foot may never reach if one source disagrees.
-constexpr double kStanceConfidence = 0.9;
+constexpr double kCertainContact = 0.9;
 // [rad/s] Angular rate below which the body counts as at rest. Chosen larger than bias and noise of
 // the gyroscope (0.02 and 0.01 rad/s by default). If larger: rotation with centripetal acceleration
 // counts as rest.
@@ -46,8 +46,8 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
-  imu_input = imu_preprocessor.update(gains, imu, filter, dynamics, state.contact, dt);
-  if (imu_preprocessor.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
+  imu_input = imu_filter_input.update(gains, imu, filter, dynamics, state.contact, dt);
+  if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
   filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt));
   w_base = imu_input.w_base - filter.gyroscope_bias();
   w_filtered += dt / (dt + kRateFilterTime) * (w_base - w_filtered);
@@ -122,20 +122,20 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   std::array<bool, kLegs> stance;
   int stance_count = 0, rejected_count = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const bool in_stance = state.contact[leg] > kStanceConfidence;
+    const bool in_stance = state.contact[leg] > kCertainContact;
     stance[leg] = in_stance;
     stance_count += in_stance;
     rejected_count += in_stance && filter.rejected_feet()[leg];
   }
   // While the IMU repeats old samples, the innovations contain motion that the IMU did not measure.
   // The noise of the feet must not adapt to this motion.
-  const bool fresh = imu.w_age == 1 && imu.f_age <= 2;
-  if (fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
+  const bool imu_is_fresh = imu.w_age == 1 && imu.f_age <= 2;
+  if (imu_is_fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
   // If the gate rejects all stance feet, the prediction is wrong and the feet are right: an impact
   // has saturated the accelerometer. The variance must grow, or the gate would reject the feet for
   // ever.
   if (stance_count >= 2 && rejected_count == stance_count)
-    filter.add_velocity_variance(kVelocitySigma * kVelocitySigma);
+    filter.add_velocity_variance(kRecoveryVelocitySigma * kRecoveryVelocitySigma);
 
   const Vector3 p_base = filter.p() - R * arm;
   const Vector3 v_base = filter.v() - R * w_base.cross(arm);

@@ -51,7 +51,7 @@ struct StateEstimator::Impl {
   Dynamics dynamics;
   ImuReader imu_reader;
   ImuReading imu;
-  ImuFilterInput imu_preprocessor;
+  ImuFilterInput imu_filter_input;
   QuaternionTiltCheck quaternion_check;
   InvariantFilter filter;
   FootNoise foot_noise;

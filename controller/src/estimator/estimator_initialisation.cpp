@@ -72,7 +72,7 @@ void StateEstimator::Impl::reset() noexcept {
   planned_push.setZero();
   path_length = 0.0;
   imu_reader.reset();
-  imu_preprocessor.reset();
+  imu_filter_input.reset();
   quaternion_check.reset();
   torque_check.reset();
   leg_forces.reset();

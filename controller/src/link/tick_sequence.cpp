@@ -12,7 +12,7 @@ namespace {
 constexpr int kRestartSamples = 5;
 // [s] Smallest mean time between the arrivals of these samples, per millisecond of LowState::tick.
 // Derived: half of the true time, 1 ms. Late samples in a burst arrive faster.
-constexpr double kMinTickDuration = 0.5e-3;
+constexpr double kMinArrivalSpacing = 0.5e-3;
 // Number of consecutive equal steps that set a new period. Chosen: fewer could come from single
 // lost samples; with more, lost samples would be miscounted for longer. Test:
 // test_tick_sequence.cpp.
@@ -34,7 +34,7 @@ void TickSequence::begin(std::uint32_t tick) noexcept {
   newest_tick_ = tick;
   received_ = 1;  // bit 0: the newest sample itself
   period_ = step_ = 0;
-  step_repeats_ = behind_count_ = 0;
+  step_repeats_ = old_count_ = 0;
 }
 
 TickSequence::Arrival TickSequence::classify_ahead(std::uint32_t step) noexcept {
@@ -43,7 +43,7 @@ TickSequence::Arrival TickSequence::classify_ahead(std::uint32_t step) noexcept 
   received_ <<= std::min<std::size_t>(step, kWindow);
   received_.set(0);
   newest_tick_ += step;
-  behind_count_ = 0;
+  old_count_ = 0;
   return Arrival::kNewer;
 }
 
@@ -54,16 +54,17 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
     if (received_[behind]) return Arrival::kDuplicate;
     received_.set(behind);
   }
-  const bool rising = behind_count_ > 0 && static_cast<std::int32_t>(tick - behind_tick_) > 0;
-  if (!rising) {
-    behind_first_tick_ = tick;
-    behind_start_time_ = time;
+  const bool increasing = old_count_ > 0 && static_cast<std::int32_t>(tick - last_old_tick_) > 0;
+  if (!increasing) {
+    first_old_tick_ = tick;
+    first_old_time_ = time;
   }
-  behind_count_ = rising ? behind_count_ + 1 : 1;
-  behind_tick_ = tick;
+  old_count_ = increasing ? old_count_ + 1 : 1;
+  last_old_tick_ = tick;
   // True if the old samples arrive at the pace of the robot's clock and not in a burst.
-  const bool paced = time - behind_start_time_ >= kMinTickDuration * (tick - behind_first_tick_);
-  if (behind_count_ >= kRestartSamples && (paced || !recent)) {
+  const bool at_clock_pace =
+      time - first_old_time_ >= kMinArrivalSpacing * (tick - first_old_tick_);
+  if (old_count_ >= kRestartSamples && (at_clock_pace || !recent)) {
     begin(tick);
     return Arrival::kRestarted;
   }

@@ -39,14 +39,14 @@ class TickSequence {
 
   bool started_ = false;
   std::uint32_t newest_tick_ = 0;
-  std::bitset<kWindow> received_;        // bit k: the sample with tick newest_tick_ - k has arrived
-  std::uint32_t period_ = 0;             // [ms] period of the samples; 0: not known yet
-  std::uint32_t step_ = 0;               // [ms] last difference of successive ticks
-  int step_repeats_ = 0;                 // number of consecutive equal differences
-  std::uint32_t behind_tick_ = 0;        // [ms] last tick of the present series of old samples
-  int behind_count_ = 0;                 // number of samples in this series
-  std::uint32_t behind_first_tick_ = 0;  // [ms] first tick of this series
-  double behind_start_time_ = 0.0;       // [s] arrival time of the first sample of this series
+  std::bitset<kWindow> received_;     // bit k: the sample with tick newest_tick_ - k has arrived
+  std::uint32_t period_ = 0;          // [ms] period of the samples; 0: not known yet
+  std::uint32_t step_ = 0;            // [ms] last difference of successive ticks
+  int step_repeats_ = 0;              // number of consecutive equal differences
+  std::uint32_t last_old_tick_ = 0;   // [ms] last tick of the present series of old samples
+  int old_count_ = 0;                 // number of samples in this series
+  std::uint32_t first_old_tick_ = 0;  // [ms] first tick of this series
+  double first_old_time_ = 0.0;       // [s] arrival time of the first sample of this series
   std::uint64_t lost_ = 0;
 };
 

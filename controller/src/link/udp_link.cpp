@@ -34,7 +34,7 @@ struct UdpLink::Impl {
         damping(checked_damping(o.damping_kd)) {
     encode_low_cmd(damping, FrameExtras{}, options.generation, damping_frame);
   }
-  bool accept_datagram(std::size_t size, double time) noexcept;
+  bool process_datagram(std::size_t size, double time) noexcept;
   void reject(const FrameReport& report) noexcept;
 
   UdpLinkOptions options;
@@ -49,7 +49,7 @@ struct UdpLink::Impl {
   LinkCounts counts;
   FrameReport last_reject;
   bool has_state = false;
-  double arrived = 0.0;  // [s] arrival time of the newest LowState, on monotonic_time()
+  double arrival_stamp = 0.0;  // [s] arrival time of the newest LowState, on monotonic_time()
 };
 
 UdpLink::UdpLink(const UdpLinkOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -61,13 +61,13 @@ bool UdpLink::receive() noexcept {
   bool newer = false;
   for (int k = 0; k < kMaxDatagramsPerReceive; ++k) {
     std::size_t size = s.buffer.size();
-    double arrived = 0.0;  // [s] arrival time of the datagram
-    const UdpSocket::ReadResult read = s.socket.read(s.buffer.data(), size, arrived);
+    double arrival_stamp = 0.0;  // [s] arrival time of the datagram
+    const UdpSocket::ReadResult read = s.socket.read(s.buffer.data(), size, arrival_stamp);
     if (read == UdpSocket::ReadResult::kNothing) return newer;
     if (read == UdpSocket::ReadResult::kOtherSender) {
       ++s.counts.strangers;
     } else {
-      newer = s.accept_datagram(size, arrived) || newer;
+      newer = s.process_datagram(size, arrival_stamp) || newer;
     }
   }
   ++s.counts.floods;
@@ -78,7 +78,7 @@ bool UdpLink::receive() noexcept {
 // the robot has restarted. Return whether it was stored. Invalid, duplicate and reordered datagrams
 // are only counted.
 // @param time arrival time of the datagram [s], on monotonic_time()
-bool UdpLink::Impl::accept_datagram(std::size_t size, double time) noexcept {
+bool UdpLink::Impl::process_datagram(std::size_t size, double time) noexcept {
   ++counts.received;
   const FrameReport report = decode_low_state(buffer.data(), std::min(size, buffer.size()),
                                               options.generation, incoming, incoming_extras);
@@ -98,9 +98,9 @@ bool UdpLink::Impl::accept_datagram(std::size_t size, double time) noexcept {
     return false;
   }
   if (arrival == TickSequence::Arrival::kRestarted) ++counts.restarts;
-  if (has_state && time - arrived > kHoldTime) ++counts.late;
+  if (has_state && time - arrival_stamp > kHoldTime) ++counts.late;
   has_state = true;
-  arrived = time;
+  arrival_stamp = time;
   state = incoming;
   extras = incoming_extras;
   return true;
@@ -135,7 +135,7 @@ bool UdpLink::has_state() const noexcept { return impl_->has_state; }
 const LowState& UdpLink::state() const noexcept { return impl_->state; }
 const FrameExtras& UdpLink::extras() const noexcept { return impl_->extras; }
 double UdpLink::state_age() const noexcept {
-  return impl_->has_state ? monotonic_time() - impl_->arrived
+  return impl_->has_state ? monotonic_time() - impl_->arrival_stamp
                           : std::numeric_limits<double>::infinity();
 }
 const LinkCounts& UdpLink::counts() const noexcept { return impl_->counts; }

@@ -38,10 +38,10 @@ double stamped_age(msghdr& message) noexcept {
   return 0.0;
 }
 
-void check_port(const char* what, int port, int least) {
-  if (port < least || port > 65535) {
+void check_port(const char* what, int port, int min_port) {
+  if (port < min_port || port > 65535) {
     throw Error(std::string(what) + ": got " + std::to_string(port) + ", expected " +
-                std::to_string(least) + " .. 65535");
+                std::to_string(min_port) + " .. 65535");
   }
 }
 
@@ -107,7 +107,7 @@ UdpSocket::~UdpSocket() {
 }
 
 UdpSocket::ReadResult UdpSocket::read(std::uint8_t* data, std::size_t& size,
-                                      double& arrived) noexcept {
+                                      double& arrival_stamp) noexcept {
   sockaddr_in from{};
   iovec buffer{data, size};
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
@@ -125,9 +125,9 @@ UdpSocket::ReadResult UdpSocket::read(std::uint8_t* data, std::size_t& size,
     return ReadResult::kNothing;
   }
   size = static_cast<std::size_t>(got);
-  arrived = arrival_time(monotonic_time(), stamped_age(message), last_empty_time_);
-  const bool peer = from.sin_addr.s_addr == peer_address_ && from.sin_port == peer_port_;
-  return peer ? ReadResult::kPeer : ReadResult::kOtherSender;
+  arrival_stamp = arrival_time(monotonic_time(), stamped_age(message), last_empty_time_);
+  const bool from_peer = from.sin_addr.s_addr == peer_address_ && from.sin_port == peer_port_;
+  return from_peer ? ReadResult::kPeer : ReadResult::kOtherSender;
 }
 
 bool UdpSocket::write(const std::uint8_t* data, std::size_t size) noexcept {

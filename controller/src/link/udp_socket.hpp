@@ -31,8 +31,9 @@ class UdpSocket {
   enum class ReadResult { kNothing, kPeer, kOtherSender };
   /// Read one datagram. Never blocks.
   /// @param size in: size of the buffer; out: length of the datagram, which may exceed the buffer
-  /// @param arrived out: arrival time of the datagram at this machine [s], on monotonic_time()
-  ReadResult read(std::uint8_t* data, std::size_t& size, double& arrived) noexcept;
+  /// @param arrival_stamp out: arrival time of the datagram at this machine [s], on
+  /// monotonic_time()
+  ReadResult read(std::uint8_t* data, std::size_t& size, double& arrival_stamp) noexcept;
 
   /// Send a datagram to the peer. Return false if the system did not accept it. Never blocks.
   bool write(const std::uint8_t* data, std::size_t size) noexcept;

@@ -27,7 +27,8 @@ void store(std::uint8_t* to, T value) noexcept {
 }
 
 // Keep the first problem, but let a value that is not finite replace a value out of range.
-void record_worst(FrameReport& report, FrameStatus status, const Field& field, int motor) noexcept {
+void record_problem(FrameReport& report, FrameStatus status, const Field& field,
+                    int motor) noexcept {
   if (report.status == FrameStatus::kNotFinite || report.status == status) return;
   report.status = status;
   report.field = field.name;
@@ -43,9 +44,9 @@ T to_fixed_point(double value, double unit, FrameStatus& status) noexcept {
     return 0;
   }
   const double whole = std::trunc(value * unit);
-  constexpr double kLeast = std::numeric_limits<T>::min(), kMost = std::numeric_limits<T>::max();
-  if (whole < kLeast || whole > kMost) status = FrameStatus::kSaturated;
-  return static_cast<T>(std::clamp(whole, kLeast, kMost));
+  constexpr double kMin = std::numeric_limits<T>::min(), kMax = std::numeric_limits<T>::max();
+  if (whole < kMin || whole > kMax) status = FrameStatus::kSaturated;
+  return static_cast<T>(std::clamp(whole, kMin, kMax));
 }
 
 std::uint8_t to_uint8(int value, FrameStatus& status) noexcept {
@@ -159,7 +160,7 @@ void pack(const FrameLayout& layout, const std::uint8_t* base, const FrameExtras
     const std::uint8_t* from = (field.extra ? extras_bytes : base) + offset;
     for (int k = 0; k < field.count; ++k) {
       const FrameStatus status = pack_one(field.kind, layout.torque_unit, from, wire);
-      if (status != FrameStatus::kOk) record_worst(report, status, field, motor);
+      if (status != FrameStatus::kOk) record_problem(report, status, field, motor);
     }
   });
 }
@@ -171,7 +172,7 @@ void unpack(const FrameLayout& layout, const std::uint8_t* wire, std::uint8_t* b
     std::uint8_t* to = (field.extra ? extras_bytes : base) + offset;
     for (int k = 0; k < field.count; ++k) {
       const FrameStatus status = unpack_one(field.kind, layout.torque_unit, wire, to);
-      if (status != FrameStatus::kOk) record_worst(report, status, field, motor);
+      if (status != FrameStatus::kOk) record_problem(report, status, field, motor);
     }
   });
 }

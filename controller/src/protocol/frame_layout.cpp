@@ -59,17 +59,17 @@ constexpr Field kMotorState[] = {
     {"reserve", K::kBytes, 8, offsetof(MotorState, reserve)},
 };
 // In every generation that has a BmsState, its first twelve bytes are copied without conversion.
-constexpr std::size_t kBms = offsetof(LowState, bms);
+constexpr std::size_t kBmsOffset = offsetof(LowState, bms);
 constexpr Field kBattery[] = {
-    {"bms", K::kBytes, 14, kBms},
-    {"bms.cell_vol", K::kCellVoltage, 10, kBms + offsetof(BmsState, cell_vol)},
+    {"bms", K::kBytes, 14, kBmsOffset},
+    {"bms.cell_vol", K::kCellVoltage, 10, kBmsOffset + offsetof(BmsState, cell_vol)},
 };
 constexpr Field kBatteryB1[] = {
-    {"bms", K::kBytes, 12, kBms},
+    {"bms", K::kBytes, 12, kBmsOffset},
     {"bms.BQ_NTC", K::kBytes, 6, offsetof(X, BQ_NTC), true},
-    {"bms.MCU_NTC", K::kBytes, 2, kBms + offsetof(BmsState, MCU_NTC)},
+    {"bms.MCU_NTC", K::kBytes, 2, kBmsOffset + offsetof(BmsState, MCU_NTC)},
     {"bms.MCU_NTC", K::kBytes, 6, offsetof(X, MCU_NTC), true},
-    {"bms.cell_vol", K::kCellVoltage, 10, kBms + offsetof(BmsState, cell_vol)},
+    {"bms.cell_vol", K::kCellVoltage, 10, kBmsOffset + offsetof(BmsState, cell_vol)},
     {"bms.cell_vol", K::kCellVoltage, 20, offsetof(X, cell_vol), true},
 };
 static_assert(offsetof(BmsState, BQ_NTC) == 10 && offsetof(BmsState, MCU_NTC) == 12);

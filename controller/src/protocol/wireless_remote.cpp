@@ -10,14 +10,14 @@ namespace {
 
 // Largest valid |stick value|. Chosen 5 % larger than 1, because the calibration of sticks is not
 // exact. Larger values do not come from a stick.
-constexpr float kMaxDeflection = 1.05F;
+constexpr float kMaxStickValue = 1.05F;
 
 struct Stick {
   std::size_t offset;
   float WirelessRemote::* value;
 };
 // [bytes] Offset of the buttons; the offsets of the sticks follow.
-constexpr std::size_t kButtons = 2;
+constexpr std::size_t kButtonsOffset = 2;
 constexpr Stick kSticks[] = {{4, &WirelessRemote::lx},
                              {8, &WirelessRemote::rx},
                              {12, &WirelessRemote::ry},
@@ -28,12 +28,12 @@ constexpr Stick kSticks[] = {{4, &WirelessRemote::lx},
 
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept {
   WirelessRemote remote;
-  std::memcpy(&remote.buttons, bytes.data() + kButtons, 2);
+  std::memcpy(&remote.buttons, bytes.data() + kButtonsOffset, 2);
   bool out_of_range = false;
   for (const Stick& stick : kSticks) {
     float& value = remote.*stick.value;
     std::memcpy(&value, bytes.data() + stick.offset, 4);
-    out_of_range |= !(std::abs(value) <= kMaxDeflection);
+    out_of_range |= !(std::abs(value) <= kMaxStickValue);
   }
   if (out_of_range) {
     for (const Stick& stick : kSticks) remote.*stick.value = 0.0F;
@@ -43,7 +43,7 @@ WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes)
 
 std::array<std::uint8_t, 40> encode_wireless_remote(const WirelessRemote& remote) noexcept {
   std::array<std::uint8_t, 40> bytes{};
-  std::memcpy(bytes.data() + kButtons, &remote.buttons, 2);
+  std::memcpy(bytes.data() + kButtonsOffset, &remote.buttons, 2);
   for (const Stick& stick : kSticks) {
     std::memcpy(bytes.data() + stick.offset, &(remote.*stick.value), 4);
   }

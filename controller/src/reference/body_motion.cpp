@@ -35,7 +35,7 @@ void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
   latched_ = pose;
   p_com_ = p_com;
   reach_check_.set_initial_guess(q);
-  position_.setZero();
+  relative_pose_.setZero();
   just_latched_ = true;
   evaluated_feet_.setConstant(kMaxTarget);  // forces an evaluation of the pose in the next update()
   stop();
@@ -43,7 +43,7 @@ void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
 
 void BodyMotion::reset() noexcept {
   target_.setZero();
-  position_.setZero();
+  relative_pose_.setZero();
   request_rejected_ = false;
   stop();
 }
@@ -65,27 +65,28 @@ void BodyMotion::set_target(const BodyReference& target) noexcept {
 
 void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                         double dt) noexcept {
-  const bool at_target = (target_ - position_).cwiseAbs().maxCoeff() < kTargetTolerance &&
+  const bool at_target = (target_ - relative_pose_).cwiseAbs().maxCoeff() < kTargetTolerance &&
                          velocity_.cwiseAbs().maxCoeff() < kTargetTolerance;
   if (at_target) stop();
   if (at_target && (feet - evaluated_feet_).cwiseAbs().maxCoeff() < kFootTolerance) return;
   evaluate_current_pose(gains, feet, gravity);
   if (at_target) return;
   if (at_limit()) probe_axis(gains, feet, gravity, dt);
-  const Vector6 before = velocity_;
-  velocity_ = before + limited_change(gains, desired_velocity(gains) - before, dt);
+  const Vector6 previous_velocity = velocity_;
+  velocity_ =
+      previous_velocity + limited_change(gains, desired_velocity(gains) - previous_velocity, dt);
   // Continue only if the pose in which the body could come to rest is acceptable; otherwise brake.
-  const double stopping = half_braking_time(gains) + dt;
-  if (acceptable(gains, position_ + stopping * velocity_, feet, gravity)) {
-    v_com_ = (reach_check_.p_com() + com_offset_ - p_com_) / stopping;
+  const double lookahead_time = half_braking_time(gains) + dt;
+  if (check_pose(gains, relative_pose_ + lookahead_time * velocity_, feet, gravity)) {
+    v_com_ = (reach_check_.p_com() + com_offset_ - p_com_) / lookahead_time;
   } else {
-    velocity_ = before + limited_change(gains, -before, dt);
+    velocity_ = previous_velocity + limited_change(gains, -previous_velocity, dt);
     v_com_.setZero();
     blocked_.fill(true);
     unblocked_time_ = 0.0;
   }
-  acceleration_ = (velocity_ - before) / dt;
-  position_ += velocity_ * dt;
+  acceleration_ = (velocity_ - previous_velocity) / dt;
+  relative_pose_ += velocity_ * dt;
   p_com_ += v_com_ * dt;
 }
 
@@ -105,13 +106,13 @@ void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& fee
   p_com_ = reach_check_.p_com() + com_offset_;
 }
 
-// Return whether the body may move to a pose, given like position_. If not, write the reason to
-// limit_. A pose outside the limits is acceptable if its violation is at most that of the present
-// pose. Without this rule, feet that a push has displaced could lock the body in place.
-bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
-                            const Vector3& gravity) noexcept {
-  const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + position.head<3>(),
-                                                   orientation_at(position), feet, gravity);
+// Return whether the body may move to a pose, given like relative_pose_. If not, write the reason
+// to limit_. A pose outside the limits is acceptable if its violation is at most that of the
+// present pose. Without this rule, feet that a push has displaced could lock the body in place.
+bool BodyMotion::check_pose(const Gains& gains, const Vector6& relative_pose,
+                            const FeetMatrix& feet, const Vector3& gravity) noexcept {
+  const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + relative_pose.head<3>(),
+                                                   orientation_at(relative_pose), feet, gravity);
   if (result.status.limit != ReachLimit::kUnreachable && result.violation <= violation_) {
     return true;
   }
@@ -124,9 +125,10 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
                             double dt) noexcept {
   axis_ = (axis_ + 1) % 6;
   const ReachStatus reason = limit_;
-  Vector6 position = position_;
-  position[axis_] += std::clamp(target_[axis_] - position_[axis_], -kProbeStep, kProbeStep);
-  blocked_[axis_] = !acceptable(gains, position, feet, gravity);
+  Vector6 relative_pose = relative_pose_;
+  relative_pose[axis_] +=
+      std::clamp(target_[axis_] - relative_pose_[axis_], -kProbeStep, kProbeStep);
+  blocked_[axis_] = !check_pose(gains, relative_pose, feet, gravity);
   // Clear the limit when no axis has been blocked for kLimitHoldTime.
   unblocked_time_ = blocked_[axis_] ? 0.0 : unblocked_time_ + dt;
   limit_ = unblocked_time_ > kLimitHoldTime ? ReachStatus{} : reason;
@@ -135,14 +137,14 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
 // Compute the velocity along a straight line to the target, with zero on blocked axes. The speed is
 // limited to the speed gains, and to the speed from which the body can still stop at the target.
 Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
-  Vector6 to_target = target_ - position_;
+  Vector6 to_target = target_ - relative_pose_;
   for (int axis = 0; axis < 6; ++axis) {
     if (blocked_[axis]) to_target[axis] = 0.0;
   }
   Vector6 desired = to_target / gains.reference_time;
   const auto limit_speed = [&](int first, double speed, double acceleration) {
-    const double braking = std::sqrt(2.0 * acceleration * to_target.segment<3>(first).norm());
-    const double max_speed = std::min(speed, braking);
+    const double braking_speed = std::sqrt(2.0 * acceleration * to_target.segment<3>(first).norm());
+    const double max_speed = std::min(speed, braking_speed);
     desired.segment<3>(first) *=
         max_speed / std::max(desired.segment<3>(first).norm(), std::max(max_speed, 1e-12));
   };
@@ -161,33 +163,35 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
 }
 
 // Compute v / (2 a), the braking distance divided by the present speed. It is half of the time that
-// braking takes. The body comes to rest at position_ + velocity_ * v / (2 a).
+// braking takes. The body comes to rest at relative_pose_ + velocity_ * v / (2 a).
 double BodyMotion::half_braking_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);
 }
 
-BodyReference BodyMotion::position() const noexcept {
-  return {position_[0], position_[1], position_[2], position_[3], position_[4], position_[5]};
+BodyReference BodyMotion::relative_pose() const noexcept {
+  return {relative_pose_[0], relative_pose_[1], relative_pose_[2],
+          relative_pose_[3], relative_pose_[4], relative_pose_[5]};
 }
 
-Vector3 BodyMotion::p_base() const noexcept { return latched_.p_base + position_.head<3>(); }
-Quaternion BodyMotion::R_base() const noexcept { return orientation_at(position_); }
+Vector3 BodyMotion::p_base() const noexcept { return latched_.p_base + relative_pose_.head<3>(); }
+Quaternion BodyMotion::R_base() const noexcept { return orientation_at(relative_pose_); }
 Vector3 BodyMotion::w_base() const noexcept { return angular_velocity(velocity_.tail<3>()); }
 Vector3 BodyMotion::alpha_base() const noexcept {
   return angular_velocity(acceleration_.tail<3>());
 }
 
-Quaternion BodyMotion::orientation_at(const Vector6& position) const noexcept {
-  return exp_so3(position[5] * Vector3::UnitZ()) * exp_so3(position[4] * Vector3::UnitY()) *
-         exp_so3(position[3] * Vector3::UnitX()) * latched_.R_base;
+Quaternion BodyMotion::orientation_at(const Vector6& relative_pose) const noexcept {
+  return exp_so3(relative_pose[5] * Vector3::UnitZ()) *
+         exp_so3(relative_pose[4] * Vector3::UnitY()) *
+         exp_so3(relative_pose[3] * Vector3::UnitX()) * latched_.R_base;
 }
 
 // Convert the rates of roll, pitch and yaw to an angular velocity in the support frame. The pitch
 // axis rotates with yaw; the roll axis rotates with yaw and pitch.
 Vector3 BodyMotion::angular_velocity(const Vector3& rates) const noexcept {
-  const Quaternion Rz = exp_so3(position_[5] * Vector3::UnitZ());
-  const Quaternion Rzy = Rz * exp_so3(position_[4] * Vector3::UnitY());
+  const Quaternion Rz = exp_so3(relative_pose_[5] * Vector3::UnitZ());
+  const Quaternion Rzy = Rz * exp_so3(relative_pose_[4] * Vector3::UnitY());
   return rates[2] * Vector3::UnitZ() + Rz * (rates[1] * Vector3::UnitY()) +
          Rzy * (rates[0] * Vector3::UnitX());
 }

@@ -41,7 +41,7 @@ class BodyMotion {
               double dt) noexcept;
 
   /// Return the present pose (x, y, height, roll, pitch, yaw) relative to the latched pose.
-  BodyReference position() const noexcept;
+  BodyReference relative_pose() const noexcept;
   /// Return kNotFinite if the last target was rejected. Otherwise return the limit that stops the
   /// motion, or kNone if no limit does.
   ReachStatus status() const noexcept {
@@ -63,21 +63,21 @@ class BodyMotion {
   void evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                              const Vector3& gravity) noexcept;
   bool at_limit() const noexcept { return limit_.limit != ReachLimit::kNone; }
-  bool acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
+  bool check_pose(const Gains& gains, const Vector6& relative_pose, const FeetMatrix& feet,
                   const Vector3& gravity) noexcept;
   void probe_axis(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                   double dt) noexcept;
   Vector6 desired_velocity(const Gains& gains) const noexcept;
   Vector6 limited_change(const Gains& gains, Vector6 change, double dt) const noexcept;
   double half_braking_time(const Gains& gains) const noexcept;
-  Quaternion orientation_at(const Vector6& position) const noexcept;
+  Quaternion orientation_at(const Vector6& relative_pose) const noexcept;
   Vector3 angular_velocity(const Vector3& rates) const noexcept;
 
   ReachCheck reach_check_;
   LatchedPose latched_;
   // Poses relative to the latched pose: x, y, height [m]; roll, pitch, yaw [rad]. velocity_ and
-  // acceleration_ are the derivatives of position_.
-  Vector6 target_ = Vector6::Zero(), position_ = Vector6::Zero();
+  // acceleration_ are the derivatives of relative_pose_.
+  Vector6 target_ = Vector6::Zero(), relative_pose_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
   // com_offset_: added to the centre of mass of the inverse kinematics (see
   // evaluate_current_pose()).

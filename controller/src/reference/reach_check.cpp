@@ -57,10 +57,10 @@ ReachResult ReachCheck::evaluate(const Gains& gains, const Vector3& p_base,
   }
   const Vector3& com = kinematics_.p_com();
   // Centre of mass, projected to the ground along gravity.
-  const Vector3 ground = com - (com.z() / gravity.z()) * gravity;
+  const Vector3 com_on_ground = com - (com.z() / gravity.z()) * gravity;
   const SupportPolygon polygon(feet, {true, true, true, true});
   const double shortfall =
-      kViolationPerMetre * (gains.reach_support_margin - polygon.margin(ground.head<2>()));
+      kViolationPerMetre * (gains.reach_support_margin - polygon.margin(com_on_ground.head<2>()));
   if (shortfall > worst.violation) worst = {{ReachLimit::kSupport, -1}, shortfall};
   return worst;
 }

@@ -17,7 +17,7 @@ namespace {
 // A foot that has lost contact steps if the capture margin is below this share of the gain
 // edge_margin. If larger: feet step at weak pushes (test_no_foot_steps_at_a_75_percent_push). If
 // smaller: the foot steps too late.
-constexpr double kNearEdge = 0.65;
+constexpr double kStepMarginShare = 0.65;
 // [h] The body counts as moving when the capture point is farther than this from the centre of
 // mass. Chosen larger than the sway of a standing robot, and smaller than the distance in pushes
 // that need a step.
@@ -68,12 +68,12 @@ void RecoverySteps::update(const Gains& gains, const Dynamics& dynamics,
   const FeetMatrix from_nominal = p_world_feet - nominal_feet;
   const double height = height_over(p_world_feet, dynamics);
   const Eigen::Vector2d capture = capture_point(dynamics);
-  moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMovingDistance * height;
+  body_moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMovingDistance * height;
   update_stride(gains, support, nominal_feet, capture);
   select_foot_to_lift(p_world_feet, nominal_feet, contact, capture, kMinMargin * height);
-  const double phase_step = dt / std::sqrt(height / kGravity);
+  const double normalised_dt = dt / std::sqrt(height / kGravity);
   for (int leg = 0; leg < kLegs; ++leg) {
-    phase_time_[leg] += phase_step;
+    phase_time_[leg] += normalised_dt;
     update_phase(leg, contact[leg], project_to_plane(from_nominal.col(leg), support.normal()));
     if (phase_[leg] != FootPhase::kStance) {
       update_swing(leg, from_nominal.col(leg), support.normal(), height, dt);
@@ -142,8 +142,8 @@ void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
 // place where it landed.
 void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_nominal) noexcept {
   FootPhase& phase = phase_[leg];
-  if (phase == FootPhase::kStance && moving_ && contact < kOffGroundConfidence &&
-      edge_proximity_ > 1.0 - kNearEdge) {
+  if (phase == FootPhase::kStance && body_moving_ && contact < kOffGroundConfidence &&
+      edge_proximity_ > 1.0 - kStepMarginShare) {
     phase = FootPhase::kSwinging;
     phase_time_[leg] = 0.0;
   } else if (phase == FootPhase::kLiftingOff && contact < kOffGroundConfidence) {
@@ -161,20 +161,21 @@ void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_no
 // straight down to kPressDepth below the ground.
 void RecoverySteps::update_swing(int leg, const Vector3& from_nominal, const Vector3& normal,
                                  double height, double dt) noexcept {
-  Vector3 along = project_to_plane(foot_offsets_.col(leg), normal);
-  double up = -kPressDepth * height;
+  Vector3 in_plane_offset = project_to_plane(foot_offsets_.col(leg), normal);
+  double normal_offset = -kPressDepth * height;
   if (phase_time_[leg] < kSwingTime) {
-    const Vector3 remaining = stride_ - along;
-    const double most = kFootSpeed * std::sqrt(kGravity * height) * dt;
-    along += remaining * std::min(1.0, most / std::max(remaining.norm(), most));
+    const Vector3 remaining = stride_ - in_plane_offset;
+    const double max_step = kFootSpeed * std::sqrt(kGravity * height) * dt;
+    in_plane_offset += remaining * std::min(1.0, max_step / std::max(remaining.norm(), max_step));
     // A swing foot descends as it approaches its landing position. For a foot that is still in
     // contact the desired position is kLiftHeight above the ground, so that the foot lifts off.
     const double lift = kLiftHeight * height;
-    up = is_lifting_off(leg)
-             ? lift
-             : std::min(lift, project_to_plane(stride_ - from_nominal, normal).norm() + up);
+    normal_offset = is_lifting_off(leg)
+                        ? lift
+                        : std::min(lift, project_to_plane(stride_ - from_nominal, normal).norm() +
+                                             normal_offset);
   }
-  foot_offsets_.col(leg) = along + up * normal;
+  foot_offsets_.col(leg) = in_plane_offset + normal_offset * normal;
 }
 
 }  // namespace surefoot

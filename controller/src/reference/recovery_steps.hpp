@@ -72,7 +72,7 @@ class RecoverySteps {
   // 1: the capture point is at an edge of the polygon of the nominal foot positions, or outside. 0:
   // it is inside by at least the gain edge_margin.
   double edge_proximity_ = 0.0;
-  bool moving_ = false;  // true: the body moves (see kMovingDistance)
+  bool body_moving_ = false;  // true: the body moves (see kMovingDistance)
   std::array<FootPhase, kLegs> phase_{};
   // True for each foot that failed to lift off; cleared when the capture point is inside again.
   std::array<bool, kLegs> lift_failed_{};

@@ -52,7 +52,7 @@ Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
 }
 
 // Return R after the shortest rotation that brings its z axis to `normal`.
-Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
+Matrix3 align_z_axis(const Matrix3& R, const Vector3& normal) noexcept {
   return Quaternion::FromTwoVectors(R.col(2), normal).toRotationMatrix() * R;
 }
 
@@ -66,11 +66,11 @@ void SupportFrame::latch(const FeetMatrix& p) noexcept {
   const Vector3 normal = (p.col(FL_) - p.col(RR_)).cross(p.col(RL_) - p.col(FR_));
   R_ = rotation_z(heading(p));
   // Feet in one line span no plane; the z axis then stays vertical.
-  if (normal.norm() > 1e-3 && normal.z() > 0.0) R_ = aligned(R_, normal.normalized());
+  if (normal.norm() > 1e-3 && normal.z() > 0.0) R_ = align_z_axis(R_, normal.normalized());
   nominal_feet_ = R_.transpose() * (p.colwise() - origin_);
-  const Matrix3 turn = rotation_z(heading(nominal_feet_));
-  R_ = R_ * turn;
-  nominal_feet_ = turn.transpose() * nominal_feet_;
+  const Matrix3 heading_rotation = rotation_z(heading(nominal_feet_));
+  R_ = R_ * heading_rotation;
+  nominal_feet_ = heading_rotation.transpose() * nominal_feet_;
 }
 
 void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, double dt) noexcept {
@@ -96,7 +96,7 @@ void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& 
   const Eigen::Vector2d tilt =
       slope(d, d.row(2) - nominal_feet.row(2), weight, kSlopeRegularisation);
   const Vector3 normal(-tilt.x(), -tilt.y(), 1.0);
-  R_ = aligned(R_, R_ * (Vector3::UnitZ() + blend * (normal - Vector3::UnitZ())).normalized());
+  R_ = align_z_axis(R_, R_ * (Vector3::UnitZ() + blend * (normal - Vector3::UnitZ())).normalized());
 }
 
 // Rotate the frame about z so that the nominal positions fit the feet best (planar Procrustes
@@ -122,17 +122,17 @@ void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4
                                        const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);
   const FeetMatrix d = feet.colwise() - feet * weight;
-  FeetMatrix moved = feet - nominal_feet_;
-  moved.row(2) -=
-      slope(d, moved.row(2), weight, kDetrendRegularisation).transpose() * d.topRows<2>();
+  FeetMatrix deviation = feet - nominal_feet_;
+  deviation.row(2) -=
+      slope(d, deviation.row(2), weight, kDetrendRegularisation).transpose() * d.topRows<2>();
   for (int leg = 0; leg < kLegs; ++leg) {
-    nominal_feet_.col(leg) += contact[leg] * dt / (dt + kNominalFeetDriftTime) * moved.col(leg);
+    nominal_feet_.col(leg) += contact[leg] * dt / (dt + kNominalFeetDriftTime) * deviation.col(leg);
   }
   const Vector3 shift = nominal_feet_.rowwise().mean();
-  const Matrix3 turn = rotation_z(heading(nominal_feet_));
+  const Matrix3 heading_rotation = rotation_z(heading(nominal_feet_));
   origin_ += R_ * shift;
-  R_ = R_ * turn;
-  nominal_feet_ = turn.transpose() * (nominal_feet_.colwise() - shift);
+  R_ = R_ * heading_rotation;
+  nominal_feet_ = heading_rotation.transpose() * (nominal_feet_.colwise() - shift);
 }
 
 }  // namespace surefoot

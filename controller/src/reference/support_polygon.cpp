@@ -36,8 +36,8 @@ double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
 
 Eigen::Vector2d SupportPolygon::displacement_outside(const Eigen::Vector2d& point) const noexcept {
   // Displacement of `point` from the nearest point that has been found so far.
-  Eigen::Vector2d nearest = Eigen::Vector2d::Zero();
-  if (count_ < 2 || (is_valid() && margin(point) >= 0.0)) return nearest;
+  Eigen::Vector2d shortest = Eigen::Vector2d::Zero();
+  if (count_ < 2 || (is_valid() && margin(point) >= 0.0)) return shortest;
   double min_distance = std::numeric_limits<double>::infinity();
   for (int k = 0; k < count_; ++k) {
     const Eigen::Vector2d from = point - corners_[k];
@@ -46,10 +46,10 @@ Eigen::Vector2d SupportPolygon::displacement_outside(const Eigen::Vector2d& poin
     const Eigen::Vector2d displacement = from - std::clamp(share, 0.0, 1.0) * along;
     if (displacement.norm() < min_distance) {
       min_distance = displacement.norm();
-      nearest = displacement;
+      shortest = displacement;
     }
   }
-  return nearest;
+  return shortest;
 }
 
 }  // namespace surefoot

@@ -35,8 +35,8 @@ void ThreeLegStance::update(const FeetMatrix& nominal_feet, const Vector3& p_com
   const double height = inward.dot(c - a);
   const double inradius = height * length / (length + (c - a).norm() + (c - b).norm());
   const double shortfall = kInradiusShare * inradius - inward.dot(p_com.head<2>() - a);
-  const Eigen::Vector2d desired = std::max(shortfall, 0.0) * inward;
-  com_offset_.head<2>() += dt / (dt + kShiftTime) * (desired - com_offset_.head<2>());
+  const Eigen::Vector2d desired_offset = std::max(shortfall, 0.0) * inward;
+  com_offset_.head<2>() += dt / (dt + kShiftTime) * (desired_offset - com_offset_.head<2>());
 }
 
 }  // namespace surefoot

@@ -17,7 +17,7 @@ namespace {
 constexpr double kNominalShare = 0.7;
 // [s] Assumed remaining duration of a push. Derived: the duration of the pushes of `surefoot
 // assess`.
-constexpr double kPushTime = 0.1;
+constexpr double kRemainingPushTime = 0.1;
 // [1/s] Rate at which the share falls. Derived: from 1 to kNominalShare in 0.1 s. With an immediate
 // fall the torques jumped at the end of a push (git 326d016).
 constexpr double kDecayRate = 3.0;
@@ -28,7 +28,7 @@ constexpr double kEdgeDistance = 0.06;
 
 double required_share(const Dynamics& dynamics, const RobotState& state, const Reference& reference,
                       double mass) noexcept {
-  const Vector3 dv_com = kPushTime / mass * state.f_external;
+  const Vector3 dv_com = kRemainingPushTime / mass * state.f_external;
   // When a push ends, the estimate of the external force briefly has the opposite direction. With
   // this estimate alone, the margin would be too large and the share too small for braking. So the
   // smaller of the two margins counts.

@@ -26,7 +26,7 @@ JointRow motor_row(const Robot& robot, int motor) {
 
 // A URDF without a limit gives 0 or infinity, but the QP needs a finite number. The function then
 // returns 1e4 N.m or rad/s, far above the limit of any motor.
-double or_unlimited(double limit) { return limit > 0.0 && limit < 1e4 ? limit : 1e4; }
+double finite_limit(double limit) { return limit > 0.0 && limit < 1e4 ? limit : 1e4; }
 
 }  // namespace
 
@@ -42,8 +42,8 @@ JointTable make_joint_table(const Robot& robot) {
       row.v = model.idx_vs[id] + k;
       if (std::find(motors.begin(), motors.end(), row.v) != motors.end()) continue;
       row.group = kLegs;
-      row.dq_max = or_unlimited(model.upperVelocityLimit[row.v]);
-      row.tau_max = or_unlimited(model.upperEffortLimit[row.v]);
+      row.dq_max = finite_limit(model.upperVelocityLimit[row.v]);
+      row.tau_max = finite_limit(model.upperEffortLimit[row.v]);
       if (model.nqs[id] == model.nvs[id]) {
         row.q = model.idx_qs[id] + k;
         row.q_lower = model.lowerPositionLimit[row.q];

@@ -58,12 +58,12 @@ void match_joints(const pinocchio::Model& model, const RobotConfig& config, Robo
 void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
   for (int leg = 0; leg < kLegs; ++leg) {
     for (int k = 1; k < kLegJoints; ++k) {
-      const std::string& above = config.joint_names[3 * leg + k - 1];
-      const std::string& below = config.joint_names[3 * leg + k];
-      const auto& chain = model.supports[model.getJointId(below)];
-      if (std::find(chain.begin(), chain.end(), model.getJointId(above)) == chain.end()) {
-        throw Error("robot '" + config.name + "': joint '" + below +
-                    "' is not a descendant of joint '" + above +
+      const std::string& parent_name = config.joint_names[3 * leg + k - 1];
+      const std::string& child_name = config.joint_names[3 * leg + k];
+      const auto& chain = model.supports[model.getJointId(child_name)];
+      if (std::find(chain.begin(), chain.end(), model.getJointId(parent_name)) == chain.end()) {
+        throw Error("robot '" + config.name + "': joint '" + child_name +
+                    "' is not a descendant of joint '" + parent_name +
                     "', expected hip, thigh and calf of one leg, in this order");
       }
     }

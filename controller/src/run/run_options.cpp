@@ -8,10 +8,11 @@
 namespace surefoot {
 
 void RunOptions::validate() const {
-  const auto check = [](const char* name, double got, double least, double most, const char* unit) {
-    if (got >= least && got <= most) return;
+  const auto check = [](const char* name, double got, double lower, double upper,
+                        const char* unit) {
+    if (got >= lower && got <= upper) return;
     throw Error(std::string("option '") + name + "' out of range: got " + to_text(got) +
-                ", expected " + to_text(least) + " .. " + to_text(most) + unit);
+                ", expected " + to_text(lower) + " .. " + to_text(upper) + unit);
   };
   // Chosen. Rate: the controller integrates at most 10 ms in one step (TickClock, 100 Hz), and
   // LowState::tick counts milliseconds (1000 Hz). Log: 600 s at 500 Hz keep the memory bounded.

@@ -12,7 +12,7 @@ namespace {
 
 // The run ends after this number of datagrams of another generation. Chosen larger than a few stray
 // datagrams; the number is reached within 20 ms at 500 Hz.
-constexpr std::uint64_t kMaxWrongGeneration = 10;
+constexpr std::uint64_t kMaxWrongGenerationFrames = 10;
 
 const RunOptions& checked_options(const RunOptions& options, const UdpLinkOptions& link) {
   options.validate();
@@ -67,7 +67,7 @@ void StandLoop::tick(double time, double elapsed) noexcept {
 
 void StandLoop::wait_for_robot() noexcept {
   send_damping();
-  if (link_.counts().wrong_generation >= kMaxWrongGeneration) {
+  if (link_.counts().wrong_generation >= kMaxWrongGenerationFrames) {
     end(RunReason::kWrongGeneration);
   } else if (snapshot_.time > options_.connect_timeout) {
     end(RunReason::kNoState);

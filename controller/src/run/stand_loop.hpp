@@ -60,7 +60,7 @@ class StandLoop {
   void resume_or_report_lost() noexcept;
   void report_link_lost(RunReason why) noexcept;
   void update_phase() noexcept;
-  void update_stood_as_requested(Mode before) noexcept;
+  void update_stood_as_requested(Mode previous_mode) noexcept;
   RunPhase phase() const noexcept;
   RunReason damping_reason() const noexcept;
   void apply_requests() noexcept;

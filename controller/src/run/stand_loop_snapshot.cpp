@@ -22,17 +22,17 @@ void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
 
 // Update the phase, its reason and the counts after a tick.
 void StandLoop::update_phase() noexcept {
-  const Mode before = snapshot_.mode;
+  const Mode previous_mode = snapshot_.mode;
   snapshot_.mode = supervisor_.mode();
   const RunPhase phase = this->phase();
-  update_stood_as_requested(before);
+  update_stood_as_requested(previous_mode);
   if (phase == RunPhase::kDamping && snapshot_.phase != RunPhase::kDamping) {
     snapshot_.reason = damping_reason();
     snapshot_.power_at_damping = supervisor_.measured_power();
     ++snapshot_.dampings;
   }
-  snapshot_.rearms += before == Mode::kDamping && snapshot_.mode != Mode::kDamping;
-  if (snapshot_.mode == Mode::kStand && before != Mode::kStand) requested_pose_ = {};
+  snapshot_.rearms += previous_mode == Mode::kDamping && snapshot_.mode != Mode::kDamping;
+  if (snapshot_.mode == Mode::kStand && previous_mode != Mode::kStand) requested_pose_ = {};
   snapshot_.stood = snapshot_.stood || snapshot_.mode == Mode::kStand;
   const bool duration_started = snapshot_.stood || options_.start == Start::kStanding;
   if (duration_started && duration_start_ < 0.0) duration_start_ = snapshot_.time;
@@ -41,9 +41,10 @@ void StandLoop::update_phase() noexcept {
 }
 
 // A robot that already lies may damp, and still has stood as requested.
-void StandLoop::update_stood_as_requested(Mode before) noexcept {
-  if (snapshot_.mode == before) return;
-  const bool damped_while_driven = snapshot_.mode == Mode::kDamping && before != Mode::kPassive;
+void StandLoop::update_stood_as_requested(Mode previous_mode) noexcept {
+  if (snapshot_.mode == previous_mode) return;
+  const bool damped_while_driven =
+      snapshot_.mode == Mode::kDamping && previous_mode != Mode::kPassive;
   const bool sat_down_by_fault =
       snapshot_.mode == Mode::kSit &&
       supervisor_.faults().first_active(FaultReaction::kSit) != FaultId::kNone;

@@ -21,9 +21,10 @@ Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double fricti
                       double normal_max) noexcept {
   const double normal_force = force.dot(normal);
   const double clamped_normal = std::clamp(normal_force, 0.0, normal_max);
-  const Vector3 along = force - normal_force * normal;
-  const double slip = along.norm(), most = friction * clamped_normal;
-  return clamped_normal * normal + (slip > most ? most / slip : 1.0) * along;
+  const Vector3 tangential = force - normal_force * normal;
+  const double tangential_norm = tangential.norm(), max_tangential = friction * clamped_normal;
+  return clamped_normal * normal +
+         (tangential_norm > max_tangential ? max_tangential / tangential_norm : 1.0) * tangential;
 }
 
 FeetWrench desired_wrench(double mass, const Gains& gains, const Dynamics& dynamics,

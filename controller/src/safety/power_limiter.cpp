@@ -31,16 +31,16 @@ double min_power_scale(const PowerLine& line) noexcept {
   return best;
 }
 
-// Return the largest s whose power is within the limit. Above `least`, the s with the smallest
-// power, the power never falls, so it crosses the limit at most once.
-double max_scale(const PowerLine& line, double limit, double least) noexcept {
+// Return the largest s whose power is within the limit. Above `least_power_scale`, the s with the
+// smallest power, the power never falls, so it crosses the limit at most once.
+double max_scale(const PowerLine& line, double limit, double least_power_scale) noexcept {
   if (line.at(1.0) <= limit) return 1.0;
-  double within = least, beyond = 1.0;
+  double below_limit = least_power_scale, above_limit = 1.0;
   for (int k = 0; k < kBisections; ++k) {
-    const double middle = 0.5 * (within + beyond);
-    (line.at(middle) <= limit ? within : beyond) = middle;
+    const double middle = 0.5 * (below_limit + above_limit);
+    (line.at(middle) <= limit ? below_limit : above_limit) = middle;
   }
-  return within;
+  return below_limit;
 }
 
 }  // namespace
@@ -60,9 +60,9 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
     out.limit_exceeded = true;
     return out;
   }
-  const double least = min_power_scale(line);
-  out.limit_exceeded = !(line.at(least) <= limit);
-  out.scale = out.limit_exceeded ? 0.0 : max_scale(line, limit, least);
+  const double least_power_scale = min_power_scale(line);
+  out.limit_exceeded = !(line.at(least_power_scale) <= limit);
+  out.scale = out.limit_exceeded ? 0.0 : max_scale(line, limit, least_power_scale);
   out.torques = hold + out.scale * (tau - hold);
   out.power = line.at(out.scale);
   return out;

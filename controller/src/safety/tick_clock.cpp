@@ -23,15 +23,15 @@ double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
 double TickClock::advance(std::uint32_t tick) noexcept {
   if (!started_) {
     started_ = true;
-    last_ = tick;
+    last_tick_ = tick;
     return 0.0;
   }
-  double step = seconds_between(last_, tick);
+  double step = seconds_between(last_tick_, tick);
   gap_ = 0.0;
-  const double jump = std::max(jump_threshold_, kJumpPeriods * period()) + kRounding;
-  if (step > jump) {
+  const double max_step = std::max(jump_threshold_, kJumpPeriods * period()) + kRounding;
+  if (step > max_step) {
     const double since_jump = seconds_between(jump_tick_, tick);
-    const bool confirmed = jump_pending_ && since_jump > 0.0 && since_jump <= jump;
+    const bool confirmed = jump_pending_ && since_jump > 0.0 && since_jump <= max_step;
     jump_pending_ = true;
     jump_tick_ = tick;
     if (!confirmed) return -1.0;
@@ -41,9 +41,9 @@ double TickClock::advance(std::uint32_t tick) noexcept {
   if (step <= 0.0) return -1.0;
   jump_pending_ = false;
   gap_ = std::max(gap_, step);
-  last_ = tick;
-  recent_steps_[next_] = std::min(step, kMaxStep);
-  next_ = (next_ + 1) % static_cast<int>(recent_steps_.size());
+  last_tick_ = tick;
+  recent_steps_[next_step_index_] = std::min(step, kMaxStep);
+  next_step_index_ = (next_step_index_ + 1) % static_cast<int>(recent_steps_.size());
   return step;
 }
 

@@ -41,12 +41,12 @@ class TickClock {
   double jump_threshold_;  // [s] longest step that is not a jump
   bool started_ = false;
   bool jump_pending_ = false;
-  std::uint32_t last_ = 0;
+  std::uint32_t last_tick_ = 0;
   std::uint32_t jump_tick_ = 0;
   double gap_ = 0.0;
   // [s] The last four steps; the initial value is the period at 500 Hz.
   std::array<double, 4> recent_steps_ = {0.002, 0.002, 0.002, 0.002};
-  int next_ = 0;
+  int next_step_index_ = 0;
 };
 
 }  // namespace surefoot

@@ -26,18 +26,18 @@ float to_float_towards_zero(double x) noexcept {
 
 }  // namespace
 
-Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
-                           const RobotState& state, const Reference& reference,
-                           const Gains& gains) noexcept {
+Status TorqueCommand::set_torques(const Solution& solution, const Dynamics& dynamics,
+                                  const RobotState& state, const Reference& reference,
+                                  const Gains& gains) noexcept {
   Vector12 tau;
   for (int i = 0; i < kMotors; ++i) tau[i] = solution.torques[robot_.motor_to_v()[i] - 6];
-  const bool limited = take(tau, 0.0, dynamics, state, reference, gains);
+  const bool limited = set_torques(tau, 0.0, dynamics, state, reference, gains);
   return limited ? Status::kSaturated : solution.status;
 }
 
-bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dynamics,
-                         const RobotState& state, const Reference& reference,
-                         const Gains& gains) noexcept {
+bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynamics& dynamics,
+                                const RobotState& state, const Reference& reference,
+                                const Gains& gains) noexcept {
   damping_ = motor_damping_ + damping;
   lost_damping_ = gains.damping_kd;
   const Vector12 dq = joint_speeds(state);
@@ -61,8 +61,8 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   // If these holding torques alone exceed the limit, do not scale the command: a robot that is
   // dropped falls and takes several times that power. The power protection then is the last limit.
   if (limited_.limit_exceeded) limit_power_to(state.contact, kUnlimited);
-  const bool limited_any = limit_runaway_legs(dq);
-  if (limited_.scale == 1.0 && !limited_any) return false;
+  const bool any_leg_limited = limit_runaway_legs(dq);
+  if (limited_.scale == 1.0 && !any_leg_limited) return false;
   // The scaled torques contain holding torques, which may exceed the torque that a motor can
   // produce at its speed.
   for (int i = 0; i < kMotors; ++i) {
@@ -84,15 +84,15 @@ Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {
 bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   const double share = power_limit_ / kLegs;
   const Vector12 total_torque = limited_.torques - damping_ * dq;
-  bool limited_any = false;
+  bool any_leg_limited = false;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double power_rise = runaway_legs_.power_rise(total_torque, leg);
     if (leg == lost_leg_ || !(power_rise > share)) continue;
     limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= share / power_rise;
-    limited_any = true;
+    any_leg_limited = true;
   }
-  if (limited_any) limited_.power = power_of(limited_.torques, dq, damping_);
-  return limited_any;
+  if (any_leg_limited) limited_.power = power_of(limited_.torques, dq, damping_);
+  return any_leg_limited;
 }
 
 // All motors of a lost leg damp, not only the failed motors, so that the leg moves little.

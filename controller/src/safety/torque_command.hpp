@@ -37,17 +37,19 @@ class TorqueCommand {
   /// Set the torques for the next command() to those of a usable solution, and limit their power.
   /// limited().scale does not include the reduction of runaway legs.
   /// @return the status of the solution, or kSaturated if the torques were limited
-  Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
-              const Reference& reference, const Gains& gains) noexcept;
+  Status set_torques(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
+                     const Reference& reference, const Gains& gains) noexcept;
 
   /// Do the same for torques `tau` in motor order that do not come from a Solution.
   /// @param tau [N.m]
   /// @param damping motor-side damping [N.m.s/rad], added to the option motor_damping
   /// @return whether the torques were limited
-  bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
-            const Reference& reference, const Gains& gains) noexcept;
+  bool set_torques(const Vector12& tau, double damping, const Dynamics& dynamics,
+                   const RobotState& state, const Reference& reference,
+                   const Gains& gains) noexcept;
 
-  /// Return the command with the torques of the last take(). @param dt time since the last call [s]
+  /// Return the command with the torques of the last set_torques(). @param dt time since the last
+  /// call [s]
   LowCmd command(double dt) noexcept;
 
   /// See WholeBodyController::set_torque_share().

@@ -51,7 +51,7 @@ void StandController::set_body_reference(const BodyReference& target) noexcept {
   impl_->reference.set_target(target);
 }
 BodyReference StandController::body_reference() const noexcept {
-  return impl_->reference.motion().position();
+  return impl_->reference.motion().relative_pose();
 }
 ReachStatus StandController::reach() const noexcept { return impl_->reference.motion().status(); }
 void StandController::declare_leg_lost(int leg) noexcept {

@@ -12,7 +12,7 @@ namespace {
 // contact points, which depend on the ground normal only through the radius of the soles.
 constexpr int kPoseLatches = 3;
 
-const Robot& twelve_joints(const Robot& robot) {
+const Robot& require_twelve_joints(const Robot& robot) {
   if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
   throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
               ", nv = " + std::to_string(robot.nv()) +
@@ -23,7 +23,7 @@ const Robot& twelve_joints(const Robot& robot) {
 }  // namespace
 
 StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& o)
-    : robot(twelve_joints(r)),
+    : robot(require_twelve_joints(r)),
       options((o.validate(), o)),
       estimator(r),
       reference(r),
@@ -104,9 +104,9 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
     estimator.set_planned_motion(acting_command->accelerations.head<6>(), acting_command->tau,
                                  acting_command->f_push);
   }
-  const Status estimated = estimator.update(low_state, dt);
+  const Status estimator_status = estimator.update(low_state, dt);
   state = estimator.state();
-  if (estimated != Status::kOk) return estimated;
+  if (estimator_status != Status::kOk) return estimator_status;
   time_since_estimate = 0.0;
   torque_command.observe_joints(state, dt);
   if (gain_ramp.moving()) apply_gains(gain_ramp.step(dt));
@@ -149,7 +149,7 @@ Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& 
   }
   if (is_usable(solution.status)) {
     fallback_chain.remember(controller.gains(), dynamics, used_state, desired, solution.forces);
-    return torque_command.take(solution, dynamics, used_state, desired, controller.gains());
+    return torque_command.set_torques(solution, dynamics, used_state, desired, controller.gains());
   }
   compute_fallback(dynamics, used_state, desired);
   return solution.status;
@@ -161,8 +161,8 @@ void StandController::Impl::compute_fallback(const Dynamics& dynamics, const Rob
   const Gains& gains = controller.gains();
   fallback_level = fallback_chain.compute_fallback(gains, dynamics, used_state, desired);
   if (fallback_level == FallbackLevel::kHold) return;
-  torque_command.take(fallback_chain.torques(), fallback_chain.damping(), dynamics, used_state,
-                      desired, gains);
+  torque_command.set_torques(fallback_chain.torques(), fallback_chain.damping(), dynamics,
+                             used_state, desired, gains);
 }
 
 }  // namespace surefoot

@@ -52,15 +52,15 @@ void Supervisor::stop() noexcept { impl_->requests.stop(); }
 
 Mode Supervisor::mode() const noexcept { return impl_->requests.context().mode; }
 bool Supervisor::armed() const noexcept { return impl_->requests.context().armed; }
-FaultId Supervisor::damping_fault() const noexcept { return impl_->reason; }
+FaultId Supervisor::damping_fault() const noexcept { return impl_->latched_fault; }
 ArmingReport Supervisor::arming() const noexcept { return impl_->arming_report.read(); }
 FaultReport Supervisor::faults() const noexcept { return impl_->faults.read(); }
 void Supervisor::heartbeat() noexcept { ++impl_->heartbeats; }
-double Supervisor::rise_progress() const noexcept { return impl_->height; }
+double Supervisor::rise_progress() const noexcept { return impl_->published_progress; }
 double Supervisor::rise_time() const noexcept { return impl_->plan.time; }
 bool Supervisor::fading() const noexcept { return impl_->requests.context().fading; }
 RiseStage Supervisor::rise_stage() const noexcept { return impl_->published_stage; }
-bool Supervisor::rise_failed() const noexcept { return impl_->gave_up; }
+bool Supervisor::rise_failed() const noexcept { return impl_->rise_abandoned; }
 
 void Supervisor::set_body_reference(const BodyReference& target) noexcept {
   impl_->stand.set_body_reference(target);

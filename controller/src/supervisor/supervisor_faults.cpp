@@ -53,7 +53,7 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   log.set(FaultId::kAccelerometer, estimator_faults.accelerometer_bad() || imu.accelerometer_bad());
   log.set(FaultId::kGyroscope, estimator_faults.gyroscope_bad() || imu.gyroscope_bad());
   judge_tilt(state);
-  judge_rest(state, dt);
+  judge_loss_battery_and_operator(state, dt);
 }
 
 // Declare the leg of a failed motor lost if the robot stands, and its capture point is inside the
@@ -73,8 +73,8 @@ void Supervisor::Impl::judge_legs() noexcept {
         stand_reference.p_com.z() - stand_reference.feet[diagonal_leg(leg)].p_world.z();
     const double push = stand.state().f_external.head<2>().norm();
     // Both comparisons are false for NaN; the leg is then not declared lost.
-    const bool quiet = push <= kMaxPush * kGravity * robot.mass();
-    if (!quiet || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
+    const bool push_is_small = push <= kMaxPush * kGravity * robot.mass();
+    if (!push_is_small || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
     stand.declare_leg_lost(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);
@@ -82,7 +82,7 @@ void Supervisor::Impl::judge_legs() noexcept {
   }
 }
 
-void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
+void Supervisor::Impl::judge_loss_battery_and_operator(const LowState& state, double dt) noexcept {
   log.set(FaultId::kLoss, arming.loss() > kMaxLoss);
   const BmsState& bms = state.bms;
   const bool battery_reported = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;
@@ -103,10 +103,10 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // A standing robot has the attitude of the StandController's estimator, and the gain fall_tilt is
   // its limit.
   Quaternion R = impedance.R_world_base();
-  double most = is_raising_body() ? kFallTilt : kRollTilt;
+  double max_tilt = is_raising_body() ? kFallTilt : kRollTilt;
   if (is_standing()) {
     R = Quaternion(stand.state().q.segment<4>(3).data());
-    most = stand.gains().fall_tilt;
+    max_tilt = stand.gains().fall_tilt;
   }
   // The field is packed, so it is copied.
   const std::array<float, 3> gyroscope = state.imu.gyroscope;
@@ -121,7 +121,8 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // half of the limit is not predicted either, because pushes turn a level body fast but end by
   // themselves.
   const double ahead = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
-  log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
+  log.set(FaultId::kTilt,
+          tilt > max_tilt || (tilt > 0.5 * max_tilt && tilt + ahead * rate > max_tilt));
 }
 
 void Supervisor::Impl::react() noexcept {

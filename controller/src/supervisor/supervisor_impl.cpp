@@ -20,7 +20,7 @@ constexpr double kStandShare = 0.9;  // limit of StandController
 constexpr Button kStopButton = Button::kB;
 
 // Return the power [W] at which the power protection trips.
-double watts(const SupervisorOptions& options) {
+double protection_power(const SupervisorOptions& options) {
   options.validate();
   return Safety::kWattsPerLevel * std::max(options.power_level, 1);
 }
@@ -30,7 +30,7 @@ double watts(const SupervisorOptions& options) {
 StandOptions within_power(const SupervisorOptions& options) {
   StandOptions stand = options.stand;
   if (options.power_level > 0) {
-    stand.power_limit = std::min(stand.power_limit, kStandShare * watts(options));
+    stand.power_limit = std::min(stand.power_limit, kStandShare * protection_power(options));
   }
   return stand;
 }
@@ -40,13 +40,13 @@ StandOptions within_power(const SupervisorOptions& options) {
 Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptions& o)
     : robot(r),
       options(o),
-      plan(plan_rise(r, kPlannedShare * watts(o))),
+      plan(plan_rise(r, kPlannedShare * protection_power(o))),
       arming(r, {o.arming_time, o.temperature_warning, o.joint_margin, plan.torque_share}),
       folding(plan, gains.fold_wait),
       weight_check(plan),
       press_check(plan),
       motion(plan),
-      impedance(r, plan, kLimitedShare * watts(o)),
+      impedance(r, plan, kLimitedShare * protection_power(o)),
       stand(r, gains, within_power(o)),
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
@@ -107,7 +107,7 @@ void Supervisor::Impl::handle_request(int request) noexcept {
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(cleared, false);
     }
-    reason = FaultId::kNone;
+    latched_fault = FaultId::kNone;
     if (take_over_now) {
       take_over();
     } else {
@@ -143,7 +143,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   log.set(FaultId::kTorqueRate, false);
   // The rise has ended, and this fault must not block the next rise.
   log.set(FaultId::kHanging, false);
-  reason = why;
+  latched_fault = why;
 }
 
 void Supervisor::Impl::publish() noexcept {
@@ -152,8 +152,8 @@ void Supervisor::Impl::publish() noexcept {
   arming_report.write(arming.report());
   faults.write(log.report());
   published_stage = stage;
-  const bool on_the_way = active() && is_raising_body();
-  height = on_the_way ? motion.position() : 0.0;
+  const bool raising = active() && is_raising_body();
+  published_progress = raising ? motion.position() : 0.0;
 }
 
 }  // namespace surefoot

@@ -67,12 +67,12 @@ struct Supervisor::Impl {
   Requests requests;
   Seqlock<ArmingReport> arming_report;
   Seqlock<FaultReport> faults;
-  std::atomic<FaultId> reason{FaultId::kNone};  // fault that latched damping, or kNone
+  std::atomic<FaultId> latched_fault{FaultId::kNone};  // fault that latched damping, or kNone
   std::atomic<unsigned> heartbeats{0};
-  std::atomic<bool> gave_up{false};  // true if the last rise was abandoned
+  std::atomic<bool> rise_abandoned{false};  // true if the last rise was abandoned
   std::atomic<RiseStage> published_stage{RiseStage::kHoldLegs};
-  std::atomic<double> height{0.0};  // path parameter of the rise, 0 .. 1
-  bool fresh = false;               // true if the last command was computed from the last sample
+  std::atomic<double> published_progress{0.0};  // path parameter of the rise, 0 .. 1
+  bool fresh = false;  // true if the last command was computed from the last sample
 
  private:
   /// [s] A longer step of the tick must be confirmed by a second sample, because one tick may be
@@ -86,7 +86,7 @@ struct Supervisor::Impl {
   void judge(const LowState& state, double dt) noexcept;
   void judge_tilt(const LowState& state) noexcept;
   void judge_legs() noexcept;
-  void judge_rest(const LowState& state, double dt) noexcept;
+  void judge_loss_battery_and_operator(const LowState& state, double dt) noexcept;
   void react() noexcept;
   void handle_request(int request) noexcept;
   void take_over() noexcept;

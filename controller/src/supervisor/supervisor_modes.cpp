@@ -31,7 +31,7 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     motion.go_to(0.0);
     fade.start(TorqueSource::kImpedance);
   } else {
-    if (mode == Mode::kStand) gave_up = false;
+    if (mode == Mode::kStand) rise_abandoned = false;
     motion.go_to(mode == Mode::kSit ? 0.0 : 1.0);
   }
   // A request to stand while sitting is a rise from the present position.
@@ -40,8 +40,8 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
 
 void Supervisor::Impl::step_motion(const LowState& state, double dt) noexcept {
   const std::array<float, 3> w = state.imu.gyroscope;  // the field is packed, so it is copied
-  const bool lies = context.mode == Mode::kRise && !is_raising_body();
-  impedance.reduce_damping(lies ? Vector3(w[0], w[1], w[2]).norm() : 0.0, dt);
+  const bool is_lying = context.mode == Mode::kRise && !is_raising_body();
+  impedance.reduce_damping(is_lying ? Vector3(w[0], w[1], w[2]).norm() : 0.0, dt);
   if (context.mode == Mode::kRise) rise(state, dt);
   if (context.mode == Mode::kSit) sit(dt);
   // The impedance fades out, so its reference comes to a stop.

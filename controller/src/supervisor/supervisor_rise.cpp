@@ -29,9 +29,9 @@ bool any(const std::array<bool, kLegs>& legs) noexcept {
 void Supervisor::Impl::start_rise() noexcept {
   const Vector12& q = impedance.q();
   const double s = plan.nearest(q);
-  const bool near = (q - plan.joints_at(s)).cwiseAbs().maxCoeff() < kPathTolerance;
-  gave_up = false;
-  if (s > kMinHeight && near && impedance.can_hold()) {
+  const bool near_path = (q - plan.joints_at(s)).cwiseAbs().maxCoeff() < kPathTolerance;
+  rise_abandoned = false;
+  if (s > kMinHeight && near_path && impedance.can_hold()) {
     stage = RiseStage::kUp;
     motion.start(s, q);
     motion.go_to(1.0);
@@ -84,7 +84,7 @@ void Supervisor::Impl::fold(double dt) noexcept {
   } else if (folding.pinned(impedance.q(), impedance.up())) {
     abort_rise(FaultId::kWrongRobot, -1);
   } else if (folding.stuck()) {
-    gave_up = true;
+    rise_abandoned = true;
     enter_passive();
   }
 }
@@ -121,7 +121,7 @@ void Supervisor::Impl::press(const LowState& state, double dt) noexcept {
 void Supervisor::Impl::raise_body(const LowState& state, double dt) noexcept {
   reference = motion.step(impedance.q(), dt);
   if (motion.stuck()) {
-    gave_up = true;
+    rise_abandoned = true;
     enter_mode(Mode::kSit);
   } else if (motion.arrived() && impedance.load_share(measured_torques(state)) < kMinLoadShare) {
     log.set(FaultId::kHanging, true);

@@ -13,14 +13,14 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   sample_fault = step < 0.0 ? FaultId::kStaleTick : find_sample_fault(state, step);
   if (sample_fault != before) log.set(before, false);
   if (sample_fault != FaultId::kNone) log.set(sample_fault, true);
-  const FaultId sits = log.report().first_active(FaultReaction::kSit);
-  const FaultId down = log.report().has(FaultId::kButton) ? FaultId::kButton : sits;
-  arming.set_blocking_fault(sample_fault != FaultId::kNone ? sample_fault : down);
+  const FaultId sit_fault = log.report().first_active(FaultReaction::kSit);
+  const FaultId blocking_fault = log.report().has(FaultId::kButton) ? FaultId::kButton : sit_fault;
+  arming.set_blocking_fault(sample_fault != FaultId::kNone ? sample_fault : blocking_fault);
   // After a long gap or a restart, the samples of a lying robot may come from another robot. So the
   // robot must be armed again.
-  const double since = 1e-3 * static_cast<std::int32_t>(state.tick - last_tick);
+  const double since_last_sample = 1e-3 * static_cast<std::int32_t>(state.tick - last_tick);
   if (state_received && !active() && !context.checks_waived && !arming.has_link_counts() &&
-      std::abs(since) > kStaleTime) {
+      std::abs(since_last_sample) > kStaleTime) {
     context.armed = false;
     arming.clear_ready();
     fade.switch_to(TorqueSource::kDamping);  // end any fade that began before the gap
@@ -46,7 +46,7 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   }
   // A robot that sits down on three legs must be armed again before it can rise.
   const bool without_leg = active() && stand.lost_leg() >= 0;
-  context.must_sit = down != FaultId::kNone || without_leg;
+  context.must_sit = blocking_fault != FaultId::kNone || without_leg;
   context.ready = arming.report().ready && !context.must_sit;
   return sample_fault == FaultId::kNone;
 }

@@ -9,14 +9,14 @@ Vector12 even_forces(const Matrix6x12& A, const Vector6& b, const Eigen::Vector4
   // Scale the rows to length one, because they have different units.
   const Vector6 scale = A.rowwise().norm().cwiseInverse();
   const Matrix6x12 rows = scale.asDiagonal() * A;
-  Matrix6x12 shared = rows;
-  for (int leg = 0; leg < kLegs; ++leg) shared.middleCols<3>(3 * leg) *= share[leg];
-  Matrix6 gram = shared * rows.transpose();
+  Matrix6x12 weighted_rows = rows;
+  for (int leg = 0; leg < kLegs; ++leg) weighted_rows.middleCols<3>(3 * leg) *= share[leg];
+  Matrix6 gram = weighted_rows * rows.transpose();
   // Forces at two feet produce no moment about the line between them, so `gram` can be singular.
   // The damping keeps the result finite. Numerical: the rows have length one, so a damping of 1e-9
   // causes an error below the QP's tolerance of 1e-6.
   gram.diagonal().array() += 1e-9;
-  return shared.transpose() * gram.ldlt().solve(scale.cwiseProduct(b));
+  return weighted_rows.transpose() * gram.ldlt().solve(scale.cwiseProduct(b));
 }
 
 Vector12 even_forces(const Dynamics& dynamics, const Vector3& force, const Vector3& moment,

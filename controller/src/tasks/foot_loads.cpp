@@ -5,11 +5,12 @@ namespace surefoot {
 
 namespace {
 
-// Interpolate from `lost` at contact confidence 0 to `held` at contact confidence 1, and multiply
-// the result by the planned load of the foot.
-double scaled_by_contact(double lost, double held, double contact,
+// Interpolate from `without_contact` at contact confidence 0 to `with_contact` at contact
+// confidence 1, and multiply the result by the planned load of the foot.
+double scaled_by_contact(double without_contact, double with_contact, double contact,
                          const FootReference& foot) noexcept {
-  const double share = lost + std::clamp(contact, 0.0, 1.0) * (held - lost);
+  const double share =
+      without_contact + std::clamp(contact, 0.0, 1.0) * (with_contact - without_contact);
   return planned_load(foot) * share;
 }
 

@@ -15,10 +15,10 @@ constexpr double kMinDamping = 1.0;
 // Return foot_kp times the offset, limited to the acceleration that the damping balances at
 // foot_speed.
 Vector3 stiffness_acceleration(const Gains& gains, const Vector3& offset) noexcept {
-  const Vector3 pull = gains.foot_kp * offset;
-  const double most = std::max(gains.foot_kd, kMinDamping) * gains.foot_speed;
-  const double size = pull.norm();
-  return size > most ? Vector3(most / size * pull) : pull;
+  const Vector3 stiffness_term = gains.foot_kp * offset;
+  const double max_norm = std::max(gains.foot_kd, kMinDamping) * gains.foot_speed;
+  const double size = stiffness_term.norm();
+  return size > max_norm ? Vector3(max_norm / size * stiffness_term) : stiffness_term;
 }
 
 }  // namespace

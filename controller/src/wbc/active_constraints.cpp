@@ -93,8 +93,8 @@ bool ActiveConstraints::append(int row, double side, double bound, double multip
   return true;
 }
 
-void ActiveConstraints::remove(Eigen::Index gone) noexcept {
-  for (Eigen::Index k = gone; k + 1 < count_; ++k) {
+void ActiveConstraints::remove(Eigen::Index removed) noexcept {
+  for (Eigen::Index k = removed; k + 1 < count_; ++k) {
     rows_[static_cast<std::size_t>(k)] = row(k + 1);
     sides_[k] = sides_[k + 1];
     bounds_[k] = bounds_[k + 1];
@@ -102,7 +102,7 @@ void ActiveConstraints::remove(Eigen::Index gone) noexcept {
     V_.col(k) = V_.col(k + 1);
   }
   --count_;
-  factorise(gone);
+  factorise(removed);
 }
 
 // Compute the rows of R from row `from` on, after columns of V have changed.

@@ -70,10 +70,10 @@ bool ActiveSet::drop_negative_multipliers() noexcept {
   for (;;) {
     rows_.solve_multipliers();
     Eigen::Index worst = -1;
-    double least = 0.0;
+    double smallest = 0.0;
     for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
-      if (rows_.multiplier(k) >= least) continue;
-      least = rows_.multiplier(k);
+      if (rows_.multiplier(k) >= smallest) continue;
+      smallest = rows_.multiplier(k);
       worst = k;
     }
     if (worst < 0) return true;
@@ -105,13 +105,13 @@ ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double t
 ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
                                            const Violation& violation) noexcept {
   const auto& [row, side, amount] = violation;
-  double missing = amount, multiplier = 0.0;
+  double remaining = amount, multiplier = 0.0;
   for (;;) {
     if (changes_ == max_changes_) return Outcome::kGaveUp;
     ++changes_;
     rows_.project(problem.C.row(row), side);
     const bool dependent = rows_.is_dependent();
-    double length = dependent ? kInfinite : missing / rows_.squared_residual();
+    double length = dependent ? kInfinite : remaining / rows_.squared_residual();
     Eigen::Index blocking = -1;
     for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
       if (rows_.dual_direction(k) <= 0.0 || rows_.dual_direction(k) * length <= rows_.multiplier(k))
@@ -119,14 +119,14 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
       length = rows_.multiplier(k) / rows_.dual_direction(k);
       blocking = k;
     }
-    if (!(length < kInfinite)) return judge_infeasibility(missing);
+    if (!(length < kInfinite)) return judge_infeasibility(remaining);
     rows_.step(length);
     multiplier += length;
     if (blocking < 0) {
-      const bool joined = rows_.append(row, side, bound_of(problem, row, side), multiplier);
-      return joined ? Outcome::kSolved : Outcome::kGaveUp;
+      const bool appended = rows_.append(row, side, bound_of(problem, row, side), multiplier);
+      return appended ? Outcome::kSolved : Outcome::kGaveUp;
     }
-    if (!dependent) missing -= length * rows_.squared_residual();
+    if (!dependent) remaining -= length * rows_.squared_residual();
     rows_.remove(blocking);
   }
 }
@@ -134,8 +134,8 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
 // The violated row depends on the active rows, and no multiplier limits the step. So these
 // constraints contradict each other. If the row is only nearly dependent, a distant point may
 // satisfy all of them, and ProxQP has to decide.
-ActiveSet::Outcome ActiveSet::judge_infeasibility(double missing) noexcept {
-  const bool certain = missing > kMaxDistance * rows_.residual_norm();
+ActiveSet::Outcome ActiveSet::judge_infeasibility(double remaining) noexcept {
+  const bool certain = remaining > kMaxDistance * rows_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;
 }
 

@@ -17,7 +17,7 @@ class ActiveSet {
  public:
   /// Largest number of changes of the active set in one solve; ProxQP solves the QP if more are
   /// needed. Chosen: larger than the 86 changes that an elastic QP needed from a cold start (24
-  /// from the active set of the hard QP), see docs/condensed-qp.md.
+  /// from the active set of the hard QP), see docs/explanation/condensed-qp.md.
   static constexpr int kMaxChanges = 100;
 
   /// @param max_changes largest number of constraints that one solve may add and remove, added up
@@ -49,7 +49,7 @@ class ActiveSet {
   bool drop_negative_multipliers() noexcept;
   Violation most_violated(const QpProblem& problem, double tolerance) noexcept;
   Outcome add_violated(const QpProblem& problem, const Violation& violation) noexcept;
-  Outcome judge_infeasibility(double missing) noexcept;
+  Outcome judge_infeasibility(double remaining) noexcept;
 
   Eigen::Index n_eq_;
   int max_changes_;

@@ -16,7 +16,7 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 ///            =>   a_b = B f + c
 ///   joints:  tau = T f + t0
 /// The equations of motion and the contact accelerations therefore hold for any f.
-/// docs/condensed-qp.md has the derivation.
+/// docs/explanation/condensed-qp.md has the derivation.
 struct Condensed {
   Matrix6x12 B;  ///< base acceleration per contact force [N] (FR FL RR RL, world axes)
   Vector6 c;     ///< base acceleration at zero contact forces

@@ -18,7 +18,7 @@ namespace {
 // [s] Time for which the external force is expected to continue. If shorter: the prediction misses
 // pushes that cross an edge. If longer: the prediction exceeds the push; a standard push lasts
 // 0.1 s and is partly over when it is detected.
-constexpr double kPushDuration = 0.08;
+constexpr double kRemainingPushTime = 0.08;
 // [m] Distance of the capture point inside an edge at which its proximity begins to rise from 0.
 constexpr double kEdgeRange = 0.03;
 // Smallest weight factor along the edge. Above zero, so that the body does not drift along the
@@ -39,7 +39,8 @@ EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& st
                                   const Reference& reference, double mass) noexcept {
   EdgeBrakingAxes axes;
   const SupportPolygon polygon = support_polygon(dynamics, reference);
-  const Eigen::Vector2d capture = capture_point(dynamics, kPushDuration / mass * state.f_external);
+  const Eigen::Vector2d capture =
+      capture_point(dynamics, kRemainingPushTime / mass * state.f_external);
   std::array<double, kLegs> edge_proximity = {};  // 0: inside, 1: at the edge, above 1: outside
   int worst = 0;
   for (int k = 0; k < polygon.edge_count(); ++k) {
@@ -49,15 +50,18 @@ EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& st
   if (!(edge_proximity[worst] > 0.0)) return axes;
   const Eigen::Vector2d across = polygon.edge(worst, capture).outward;
   const Eigen::Vector2d along(-across.y(), across.x());
-  double other = 0.0;  // 0 .. 1: how much the other edges require braking along the worst edge
+  double other_edges_share =
+      0.0;  // 0 .. 1: how much the other edges require braking along the worst edge
   for (int k = 0; k < polygon.edge_count(); ++k) {
     if (k == worst) continue;
     const double part = std::abs(polygon.edge(k, capture).outward.dot(along));
-    other = std::max(other, part * edge_proximity[k] / edge_proximity[worst]);
+    other_edges_share =
+        std::max(other_edges_share, part * edge_proximity[k] / edge_proximity[worst]);
   }
   axes.R.row(0) << across.x(), across.y(), 0.0;
   axes.R.row(1) << along.x(), along.y(), 0.0;
-  axes.along = 1.0 - std::min(edge_proximity[worst], 1.0) * (1.0 - kMinAlongShare) * (1.0 - other);
+  axes.along = 1.0 - std::min(edge_proximity[worst], 1.0) * (1.0 - kMinAlongShare) *
+                         (1.0 - other_edges_share);
   return axes;
 }
 

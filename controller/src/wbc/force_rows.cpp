@@ -14,8 +14,9 @@ void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& o
     auto u = out.u.segment<kRows>(leg * kRows);
     l.setConstant(-kNoBound);
     if (terms.normal_max[leg] > 0.0) {
-      const bool less = terms.friction[leg] < terms.friction.maxCoeff();
-      const ConeRows cone = less ? friction_cone(terms.ground_normal, terms.friction[leg]) : full;
+      const bool less_friction = terms.friction[leg] < terms.friction.maxCoeff();
+      const ConeRows cone =
+          less_friction ? friction_cone(terms.ground_normal, terms.friction[leg]) : full;
       C << cone, terms.ground_normal.transpose();
       u.setZero();
       l[kFacets] = 0.0;
@@ -30,10 +31,10 @@ void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& o
       u.setConstant(kNoBound);
       u.head<3>().setZero();
     }
-    const int hold = QpLayout::kHard + leg;
-    out.C.block<1, 3>(hold, first + 3 * leg) = terms.ground_normal.transpose();
-    out.l[hold] = terms.hold_down[leg] > 0.0 ? terms.hold_down[leg] / unit : -kNoBound;
-    out.u[hold] = kNoBound;
+    const int hold_down_row = QpLayout::kHard + leg;
+    out.C.block<1, 3>(hold_down_row, first + 3 * leg) = terms.ground_normal.transpose();
+    out.l[hold_down_row] = terms.hold_down[leg] > 0.0 ? terms.hold_down[leg] / unit : -kNoBound;
+    out.u[hold_down_row] = kNoBound;
   }
 }
 

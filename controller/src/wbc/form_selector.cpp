@@ -30,17 +30,19 @@ QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
     const double determinant = std::abs(L.J_leg.determinant()) / smallest_determinant_;
-    const bool deep =
+    const bool depth_is_regular =
         L.depth > (singular_[leg] ? kRegularDepth : kSmallestDepth) || !reference.feet[leg].stance;
-    singular_[leg] = !deep || determinant < (singular_[leg] ? kRegularDeterminant : 1.0);
-    const double shallow =
+    singular_[leg] =
+        !depth_is_regular || determinant < (singular_[leg] ? kRegularDeterminant : 1.0);
+    const double depth_softness =
         reference.feet[leg].stance ? (kSmallestDepth - L.depth) / kSoftDepth : 0.0;
-    const double soft = std::max(shallow, (1.0 - determinant) / kSoftDeterminant);
-    softness_[leg] = std::clamp(soft, 0.0, 1.0);
+    const double leg_softness = std::max(depth_softness, (1.0 - determinant) / kSoftDeterminant);
+    softness_[leg] = std::clamp(leg_softness, 0.0, 1.0);
   }
   if (requested != QpForm::kAuto) return requested;
-  const bool any = std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });
-  return dynamics.condensable() && !any ? QpForm::kCondensed : QpForm::kGeneral;
+  const bool any_singular =
+      std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });
+  return dynamics.condensable() && !any_singular ? QpForm::kCondensed : QpForm::kGeneral;
 }
 
 }  // namespace surefoot

@@ -11,16 +11,16 @@ namespace {
 constexpr double kUnitTolerance = 1e-3;
 
 bool finite(const Reference& r) noexcept {
-  bool good = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&
-              r.p_base.allFinite() && r.v_base.allFinite() && r.a_base.allFinite() &&
-              r.R_world_base.coeffs().allFinite() && r.w_world_base.allFinite() &&
-              r.alpha_world_base.allFinite() && r.L_com.allFinite() && r.Ldot_com.allFinite() &&
-              r.posture.allFinite() && r.ground_normal.allFinite();
+  bool all_finite = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&
+                    r.p_base.allFinite() && r.v_base.allFinite() && r.a_base.allFinite() &&
+                    r.R_world_base.coeffs().allFinite() && r.w_world_base.allFinite() &&
+                    r.alpha_world_base.allFinite() && r.L_com.allFinite() &&
+                    r.Ldot_com.allFinite() && r.posture.allFinite() && r.ground_normal.allFinite();
   for (const FootReference& foot : r.feet) {
-    good = good && foot.p_world.allFinite() && foot.v_world.allFinite() &&
-           foot.a_world.allFinite() && foot.f_world.allFinite() && std::isfinite(foot.load);
+    all_finite = all_finite && foot.p_world.allFinite() && foot.v_world.allFinite() &&
+                 foot.a_world.allFinite() && foot.f_world.allFinite() && std::isfinite(foot.load);
   }
-  return good;
+  return all_finite;
 }
 
 }  // namespace
@@ -32,10 +32,10 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
       !state.moment_external.allFinite() || !state.friction.allFinite()) {
     return Status::kNonFinite;
   }
-  const auto share = [](const Eigen::Vector4d& x) {
+  const auto in_unit_range = [](const Eigen::Vector4d& x) {
     return x.minCoeff() >= 0.0 && x.maxCoeff() <= 1.0;
   };
-  if (!share(state.contact) || !share(state.friction)) {
+  if (!in_unit_range(state.contact) || !in_unit_range(state.friction)) {
     return Status::kImplausible;
   }
   const double norm = state.q.segment<4>(3).norm();

@@ -12,12 +12,12 @@ void joint_limits(const RobotConfig& config, const JointTable& joints, const Gai
     const JointRow& joint = joints[k];
     const double dq = state.v[joint.v];
     const bool motor = joint.motor >= 0;
-    const auto most = [&](double sign) {
+    const auto max_torque = [&](double sign) {
       return motor ? share[joint.motor] * motor_torque_limit(config, joint.motor, dq, sign)
                    : joint.tau_max;
     };
-    out.tau_upper[k] = most(1.0);
-    out.tau_lower[k] = -most(-1.0);
+    out.tau_upper[k] = max_torque(1.0);
+    out.tau_lower[k] = -max_torque(-1.0);
 
     double lower = -r * (joint.dq_max + dq);
     double upper = r * (joint.dq_max - dq);

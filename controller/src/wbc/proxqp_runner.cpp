@@ -14,7 +14,7 @@ namespace proxqp = proxsuite::proxqp;
 
 // Duality gap at which ProxQP stops, as a share of the tolerance. Chosen smaller than 1: ProxQP
 // judges the sum of the gaps of all rows, QpCheck judges each row.
-constexpr double kSolverGap = 0.1;
+constexpr double kGapShare = 0.1;
 // Multipliers smaller than this are rounding residues. Chosen larger than the residues seen, 1e-24,
 // and smaller than the tolerance.
 constexpr double kResidue = 1e-12;
@@ -63,7 +63,7 @@ Eigen::VectorXd& ProxqpRunner::z() noexcept { return workspace_->qp.results.z; }
 
 void ProxqpRunner::set_tolerance(double tolerance) noexcept {
   workspace_->qp.settings.eps_abs = tolerance;
-  workspace_->qp.settings.eps_duality_gap_abs = kSolverGap * tolerance;
+  workspace_->qp.settings.eps_duality_gap_abs = kGapShare * tolerance;
 }
 
 void ProxqpRunner::set_problem(const QpProblem& problem) noexcept {

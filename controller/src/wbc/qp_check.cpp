@@ -10,8 +10,8 @@ namespace {
 
 // Largest accepted residual, as a multiple of the tolerance. Chosen larger than 1, because each
 // solver stops by its own residuals, which differ from the residuals computed here.
-// docs/qp-benchmark.md judges all solvers by the same limit, 5e-6.
-constexpr double kAccept = 5.0;
+// docs/benchmarks/qp.md judges all solvers by the same limit, 5e-6.
+constexpr double kMaxResidualFactor = 5.0;
 
 // Zero times NaN or infinity is NaN, so one sum checks all entries. allFinite() tests each entry
 // and takes several times as long.
@@ -71,8 +71,8 @@ QpResult QpCheck::operator()(const QpProblem& problem, const Eigen::VectorXd& x,
   }
   out.dual_residual = gradient_.lpNorm<Eigen::Infinity>();
   const bool accepted = is_finite(x) && is_finite(y) && is_finite(z) &&
-                        out.primal_residual <= kAccept * tolerance &&
-                        out.dual_residual <= kAccept * tolerance && out.gap <= tolerance;
+                        out.primal_residual <= kMaxResidualFactor * tolerance &&
+                        out.dual_residual <= kMaxResidualFactor * tolerance && out.gap <= tolerance;
   out.status = accepted ? Status::kOk : Status::kMaxIterations;
   return out;
 }

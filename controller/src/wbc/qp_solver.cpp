@@ -14,8 +14,9 @@ namespace {
 // both_methods_meet_a_tolerance_of_1e_minus_12.
 constexpr int kWarmAttempts = 3;  // a warm start, then two attempts without wrong multipliers
 constexpr int kAttempts = 6;      // the warm attempts, then a cold start and two more attempts
-constexpr double kTight = 1e-8;   // smaller tolerances are for offline checks without a deadline
-// Number of attempts and budget are multiplied by this factor below kTight.
+constexpr double kTightTolerance =
+    1e-8;  // smaller tolerances are for offline checks without a deadline
+// Number of attempts and budget are multiplied by this factor below kTightTolerance.
 constexpr int kTightFactor = 10;
 
 }  // namespace
@@ -33,18 +34,18 @@ QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
 
 QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance, int max_changes)
     : workspace_(std::make_unique<Workspace>(n, n_eq, n_in, max_changes)),
-      attempt_factor_(tolerance < kTight ? kTightFactor : 1) {
+      attempt_factor_(tolerance < kTightTolerance ? kTightFactor : 1) {
   set_tolerance(tolerance);
 }
 
 QpSolver::~QpSolver() = default;
 
-void QpSolver::reset() noexcept { has_answer_ = false; }
+void QpSolver::reset() noexcept { has_solution_ = false; }
 
 void QpSolver::warm_start_from(const Eigen::VectorXd& z) noexcept {
-  clear_answer();
+  clear_solution();
   workspace_->proxqp.z() = z;
-  has_answer_ = true;
+  has_solution_ = true;
 }
 
 const Eigen::VectorXd& QpSolver::x() const noexcept { return workspace_->proxqp.x(); }
@@ -58,7 +59,7 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasibility) noexcept {
   const StageScope stage(Stage::kSolve);
-  if (!has_answer_) clear_answer();
+  if (!has_solution_) clear_solution();
   QpResult result = try_active_set(problem);
   if (result.status == Status::kOk) return result;
   if (!QpCheck::finite(problem)) {
@@ -81,7 +82,7 @@ QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
   if (outcome == ActiveSet::Outcome::kSolved) result = check(problem);
   if (outcome == ActiveSet::Outcome::kInfeasible) result.status = Status::kInfeasible;
   result.iterations = active_set.iterations();
-  has_answer_ = result.status == Status::kOk;
+  has_solution_ = result.status == Status::kOk;
   return result;
 }
 
@@ -91,7 +92,7 @@ QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
   int spent = 0;
   proxqp.set_problem(problem);
   for (int attempt = 0; attempt < attempt_factor_ * kAttempts; ++attempt) {
-    if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) clear_answer();
+    if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) clear_solution();
     const ProxqpRunner::Outcome outcome = proxqp.run();
     spent += outcome.iterations;
     result = check(problem);
@@ -101,11 +102,11 @@ QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
     drop_slack_multipliers(problem);
   }
   result.iterations = spent;
-  has_answer_ = result.status == Status::kOk;
+  has_solution_ = result.status == Status::kOk;
   return result;
 }
 
-void QpSolver::clear_answer() noexcept {
+void QpSolver::clear_solution() noexcept {
   ProxqpRunner& proxqp = workspace_->proxqp;
   proxqp.x().setZero();
   proxqp.y().setZero();

@@ -69,11 +69,11 @@ class QpSolver {
   QpResult run_proxqp(const QpProblem& problem, int budget) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
   void drop_slack_multipliers(const QpProblem& problem) noexcept;
-  void clear_answer() noexcept;
+  void clear_solution() noexcept;
   std::unique_ptr<Workspace> workspace_;
   double tolerance_;
   int attempt_factor_;
-  bool has_answer_ = false;
+  bool has_solution_ = false;
 };
 
 }  // namespace surefoot

@@ -146,9 +146,9 @@ void QpTermsWriter::write_forces(const Gains& gains, const Reference& reference,
     }
   }
   terms_.weight_force = gains.weight_force + gains.weight_smooth;
-  const double smooth = gains.weight_smooth / terms_.weight_force;
+  const double previous_share = gains.weight_smooth / terms_.weight_force;
   terms_.forces = desired;
-  if (previous != nullptr) terms_.forces += smooth * (previous->reshaped() - desired);
+  if (previous != nullptr) terms_.forces += previous_share * (previous->reshaped() - desired);
 }
 
 void QpTermsWriter::write_posture(const Gains& gains, const RobotState& state,
@@ -156,11 +156,11 @@ void QpTermsWriter::write_posture(const Gains& gains, const RobotState& state,
   terms_.has_posture = gains.weight_posture > 0.0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const int group = joints_[k].group;
-    const double free = group == kLegs ? 1.0 : terms_.foot_softness[group];
+    const double softness = group == kLegs ? 1.0 : terms_.foot_softness[group];
     // Cubed, so that the posture does not outweigh a foot task that has just become soft.
     terms_.posture_weight[k] =
-        std::max(gains.weight_posture, free * free * free * gains.weight_posture_free);
-    terms_.has_posture = terms_.has_posture || free > 0.0;
+        std::max(gains.weight_posture, softness * softness * softness * gains.weight_posture_free);
+    terms_.has_posture = terms_.has_posture || softness > 0.0;
   }
   if (terms_.has_posture) {
     posture_accelerations(gains, joints_, state, reference.posture, terms_.posture);

@@ -12,13 +12,13 @@ namespace {
 // that the QP requires of a leg; runaway legs reached 400.
 constexpr double kReleasedRange = 1e4;
 constexpr int kSweeps = 20;  // chosen: with three joints, further sweeps hardly change the result
-constexpr double kMinLever =
+constexpr double kMinSquaredLever =
     1e-9;  // [m^2] numerical: avoids a division by zero if a joint does not move the foot
 
 // Bounds on the accelerations of a leg's joints [rad/s^2].
 struct Bounds {
   Vector3 lower, upper;
-  bool hold(const Vector3& a) const noexcept {
+  bool contain(const Vector3& a) const noexcept {
     return (a.array() >= lower.array()).all() && (a.array() <= upper.array()).all();
   }
 };
@@ -43,13 +43,13 @@ Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& desire
 // of `desired`. Method: least squares by projected Gauss-Seidel, one joint after the other.
 Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& bounds) noexcept {
   Vector3 a = desired.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-  Vector3 missing = J * (desired - a);
+  Vector3 residual = J * (desired - a);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int j = 0; j < 3; ++j) {
       const Vector3 column = J.col(j);
-      const double step = column.dot(missing) / std::max(column.squaredNorm(), kMinLever);
+      const double step = column.dot(residual) / std::max(column.squaredNorm(), kMinSquaredLever);
       const double next = std::clamp(a[j] + step, bounds.lower[j], bounds.upper[j]);
-      missing -= (next - a[j]) * column;
+      residual -= (next - a[j]) * column;
       a[j] = next;
     }
   }
@@ -60,7 +60,7 @@ Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& b
 Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
                         const Vector3& desired) noexcept {
   const Bounds bounds = released_bounds(limits, leg, desired);
-  if (bounds.hold(desired)) return Vector3::Zero();
+  if (bounds.contain(desired)) return Vector3::Zero();
   return nearest_within(J, desired, bounds) - desired;
 }
 

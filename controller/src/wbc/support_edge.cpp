@@ -30,12 +30,15 @@ double edge_fade(const Gains& gains, const Dynamics& dynamics,
 
 void bound_at_edge(const Gains& gains, double fade, double length, double v_up,
                    BodyAcceleration& desired) noexcept {
-  const double least_lift = (gains.edge_load - 1.0 - kInsideFallShare * fade) * kGravity;
-  desired.a.z() = std::max(desired.a.z(), least_lift);
+  const double min_vertical_acceleration =
+      (gains.edge_load - 1.0 - kInsideFallShare * fade) * kGravity;
+  desired.a.z() = std::max(desired.a.z(), min_vertical_acceleration);
   const double slow = std::clamp(kRiseFade * (1.0 - v_up / gains.edge_rise), 0.0, 1.0);
-  const double most_turning = slow * (1.0 + kInsideTurnFactor * fade * fade) * kGravity / length;
+  const double max_tilt_acceleration =
+      slow * (1.0 + kInsideTurnFactor * fade * fade) * kGravity / length;
   const double desired_norm = desired.alpha.head<2>().norm();
-  if (desired_norm > most_turning) desired.alpha.head<2>() *= most_turning / desired_norm;
+  if (desired_norm > max_tilt_acceleration)
+    desired.alpha.head<2>() *= max_tilt_acceleration / desired_norm;
 }
 
 }  // namespace surefoot

@@ -13,7 +13,7 @@ namespace surefoot {
 
 namespace {
 // Largest number of rows of a user task; chosen far larger than any robot's nv.
-constexpr int kMostRows = 1000;
+constexpr int kMaxTaskRows = 1000;
 }  // namespace
 
 void WholeBodyOptions::validate() const {
@@ -83,10 +83,10 @@ const Vector12& WholeBodyController::torque_share() const noexcept {
 
 void WholeBodyController::add_task(std::shared_ptr<Task> task) {
   const int rows = task == nullptr ? 0 : task->rows();
-  if (rows < 1 || rows > kMostRows) {
+  if (rows < 1 || rows > kMaxTaskRows) {
     throw Error("add_task: got " +
                 (task ? "a task of " + std::to_string(rows) + " rows" : std::string("no task")) +
-                ", expected a task whose rows() is 1 .. " + std::to_string(kMostRows));
+                ", expected a task whose rows() is 1 .. " + std::to_string(kMaxTaskRows));
   }
   impl_->writer.add_task(std::move(task), rows);
 }
@@ -134,9 +134,10 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Robot
   Impl& s = *impl_;
   const Eigen::Vector4d& softness = s.solver.select_form(dynamics, reference);
   const FeetMatrix* previous = s.solution.forces.isZero() ? nullptr : &s.solution.forces;
-  const Status written = s.writer.write(s.gains, dynamics, state, reference, softness, previous);
-  if (written != Status::kOk) {
-    s.solution.status = written;
+  const Status write_status =
+      s.writer.write(s.gains, dynamics, state, reference, softness, previous);
+  if (write_status != Status::kOk) {
+    s.solution.status = write_status;
     return s.solution;
   }
   s.solver.solve(s.gains, dynamics, s.writer.terms(), s.solution);
@@ -145,8 +146,8 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Robot
 
 const Solution& WholeBodyController::solve_cold(const Dynamics& dynamics) noexcept {
   Impl& s = *impl_;
-  const Status was = s.solution.status;
-  if (was == Status::kMaxIterations || was == Status::kInfeasible) {
+  const Status previous_status = s.solution.status;
+  if (previous_status == Status::kMaxIterations || previous_status == Status::kInfeasible) {
     s.solver.solve_cold(dynamics, s.writer.terms(), s.solution);
   }
   return s.solution;

@@ -17,13 +17,13 @@ constexpr double kSaturated = 1e-3;
 constexpr double kCurvature = 1.0;
 // Smallest value to which the tolerance is reduced. Numerical: rounding errors allow no smaller
 // tolerance. Test: both_methods_meet_a_tolerance_of_1e_minus_12.
-constexpr double kTightest = 1e-12;
+constexpr double kMinTolerance = 1e-12;
 // A cold solve multiplies the tolerance by this factor. Chosen larger than 1, because the first
 // solve has failed at the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
 // cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
-constexpr double kRelaxed = 10.0;
+constexpr double kColdToleranceFactor = 10.0;
 // Smallest share of trace(H) that the built-in tasks must have beside user tasks. Derived: with the
-// default tolerance 1e-6, the reduced tolerance is then at least ten times kTightest.
+// default tolerance 1e-6, the reduced tolerance is then at least ten times kMinTolerance.
 constexpr double kMinBuiltInShare = 1e-5;
 
 ElasticRows elastic_rows(const JointTable& joints) {
@@ -124,7 +124,7 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
   }
   curvature_ = scale * kCurvature;
   tolerance_ =
-      std::max(built_in_share * options_.tolerance, std::min(options_.tolerance, kTightest));
+      std::max(built_in_share * options_.tolerance, std::min(options_.tolerance, kMinTolerance));
   elastic().set_tolerance(tolerance_);
   take_result(elastic().solve(problem(), penalty_, curvature_), dynamics, terms, out);
 }
@@ -132,7 +132,7 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
 void WholeBodySolver::solve_cold(const Dynamics& dynamics, const QpTerms& terms,
                                  Solution& out) noexcept {
   const StageScope stage(Stage::kQpAssembly);
-  elastic().set_tolerance(kRelaxed * tolerance_);
+  elastic().set_tolerance(kColdToleranceFactor * tolerance_);
   take_result(elastic().solve_cold(problem(), penalty_, curvature_), dynamics, terms, out);
 }
 

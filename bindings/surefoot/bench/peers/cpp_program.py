@@ -49,48 +49,48 @@ class CppProgram:
         compiler = shutil.which("g++") or shutil.which("c++")
         if compiler is None:
             raise PeerError("could not be compiled: no g++ was found")
-        words = [compiler, *FLAGS, *PINOCCHIO_DEFINES, str(SOURCE_FOLDER / self.source)]
+        command_line = [compiler, *FLAGS, *PINOCCHIO_DEFINES, str(SOURCE_FOLDER / self.source)]
         for prefix in prefixes:
-            words += ["-isystem", str(prefix / "include"), f"-L{prefix / 'lib'}"]
-            words += ["-isystem", str(prefix / "include" / "eigen3")]
-            words += [f"-Wl,-rpath,{prefix / 'lib'}"]
-        words += [f"-l{library}" for library in self.libraries]
+            command_line += ["-isystem", str(prefix / "include"), f"-L{prefix / 'lib'}"]
+            command_line += ["-isystem", str(prefix / "include" / "eigen3")]
+            command_line += [f"-Wl,-rpath,{prefix / 'lib'}"]
+        command_line += [f"-l{library}" for library in self.libraries]
         out = (
             options.folder.absolute()
             / "compiled"
-            / f"{Path(self.source).stem}-{_build_hash(words)}"
+            / f"{Path(self.source).stem}-{_build_hash(command_line)}"
         )
         if out.exists():
             return out
         options.report_progress(f"peers: compiling {self.source}")
         out.parent.mkdir(parents=True, exist_ok=True)
-        _compile(words, out)
+        _compile(command_line, out)
         return out
 
 
-def _build_hash(words: list[str]) -> str:
+def _build_hash(command_line: list[str]) -> str:
     """Return a hash of the sources, the command, the compiler and the headers of Surefoot."""
-    key = hashlib.sha256("\0".join(words).encode())
+    key = hashlib.sha256("\0".join(command_line).encode())
     headers = Path(__file__).parents[2] / "include" / "surefoot"
     for file in [*sorted(SOURCE_FOLDER.iterdir()), *sorted(headers.glob("*.hpp"))]:
         key.update(file.read_bytes())
-    key.update(_run_command([words[0], "--version"]).stdout)
+    key.update(_run_command([command_line[0], "--version"]).stdout)
     return key.hexdigest()[:16]
 
 
-def _compile(words: list[str], out: Path) -> None:
+def _compile(command_line: list[str], out: Path) -> None:
     with atomic_path(out) as partial_file:  # atomic: an interrupted build must not look complete
-        process = _run_command([*words, "-o", str(partial_file)])
+        process = _run_command([*command_line, "-o", str(partial_file)])
         if process.returncode != 0:
             lines = process.stderr.decode(errors="replace").splitlines()
             error_lines = [line for line in lines if "error" in line] or lines or ["no error text"]
             raise PeerError(f"could not be compiled: {error_lines[0].strip()}")
 
 
-def _run_command(words: list[str]) -> subprocess.CompletedProcess[bytes]:
+def _run_command(command_line: list[str]) -> subprocess.CompletedProcess[bytes]:
     try:
         return subprocess.run(
-            words,
+            command_line,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=BUILD_TIMEOUT,

@@ -74,7 +74,7 @@ def _python_paired_run(
         "python",
         {
             "state_to_torque": lambda: StateToTorque(problem),
-            "tick": lambda: WholeTick(problem, recording.reports),
+            "tick": lambda: WholeTick(problem, recording.low_states),
         },
         {
             peer: worker_factory(partial(command, peer), width, options.timeout)

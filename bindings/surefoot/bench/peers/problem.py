@@ -77,9 +77,9 @@ def make_problem(recording: Recording, urdf: Path) -> Problem:
     robot, apply_reference = recording.robot, SCENARIOS[recording.scenario].apply_reference
     controller = StandController(robot)
     q, v, targets = [], [], []
-    for tick, report in enumerate(recording.reports):
+    for tick, low_state in enumerate(recording.low_states):
         apply_reference(controller, tick * recording.period)
-        controller.update(report)
+        controller.update(low_state)
         state, reference = controller.state, controller.reference
         q.append(state.q)
         v.append(state.v)
@@ -101,7 +101,7 @@ def make_problem(recording: Recording, urdf: Path) -> Problem:
 def ticks_before_push(recording: Recording) -> int:
     """Return the number of ticks before the first push; all ticks if there is none."""
     pushed = SCENARIOS[recording.scenario].push > 0.0
-    return round(PUSH_TIMES[0] / recording.period) if pushed else len(recording.reports)
+    return round(PUSH_TIMES[0] / recording.period) if pushed else len(recording.low_states)
 
 
 def peer_equivalent_gains(gains: Gains) -> Gains:

@@ -14,14 +14,14 @@ from surefoot.bench.peers.problem import POSTURE_GAINS, TASK_GAINS, Problem
 from surefoot.bench.peers.weights import GRAVITY, peer_weights
 
 
-def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -> Path:
+def write_problem(problem: Problem, low_states: Sequence[LowState], folder: Path) -> Path:
     """Write the problem for workers; return the path of problem.txt.
 
     Args:
         problem: Problem to write. problem.txt has a name and its values per line. states.bin has
             a float64 row q, v, target per tick. robot.urdf is for the peers. whole.robot and
             point.robot, which include gains, are for our workers.
-        reports: LowStates, written to reports.bin as packed structs.
+        low_states: LowStates, written to reports.bin as packed structs.
         folder: Folder of the files.
     """
     robot = problem.robot
@@ -29,7 +29,7 @@ def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -
     _write_urdf_without_shapes(problem.urdf, folder / "robot.urdf")
     robot.save(str(folder / "whole.robot"))
     problem.point_robot.save(str(folder / "point.robot"))
-    (folder / "reports.bin").write_bytes(b"".join(report.to_bytes() for report in reports))
+    (folder / "reports.bin").write_bytes(b"".join(low_state.to_bytes() for low_state in low_states))
     config, order = robot.config, np.argsort(robot.motor_to_v)
     weight = robot.mass * GRAVITY
     weights = peer_weights(problem.point_robot, problem.point_robot.config.gains)

@@ -31,7 +31,7 @@ from surefoot.bench.settings import BenchSettings
 from surefoot.robot.description import describe_robot
 
 SCENARIOS = ("quiet", "motion", "push50")
-# Tasks and constraints of every implementation; docs/peers.md has the details.
+# Tasks and constraints of every implementation; docs/benchmarks/peers.md has the details.
 TASKS = {
     "what": "centre of mass, base orientation, posture, even forces; four stance feet, friction, "
     "bounds of normal force and torque",
@@ -85,7 +85,7 @@ def run_peers(
             _run_recording(recording, urdf, options, interpreters) for recording in recording_list
         ]
         calm = np.concatenate(
-            [np.arange(len(r.reports)) < ticks_before_push(r) for r in recording_list]
+            [np.arange(len(r.low_states)) < ticks_before_push(r) for r in recording_list]
         )
         rows = []
         for same_language in zip(*played, strict=True):
@@ -96,7 +96,7 @@ def run_peers(
         **compute_ratios(rows),
         "rows": rows,
         "tasks": TASKS,
-        "scenarios": {r.scenario: len(r.reports) for r in recording_list},
+        "scenarios": {r.scenario: len(r.low_states) for r in recording_list},
         "block": options.block,
         "processor": chosen_processor(),
     }
@@ -108,7 +108,7 @@ def _run_recording(
     """Time a recording in every language."""
     problem = make_problem(recording, urdf)
     with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
-        file = write_problem(problem, recording.reports, Path(folder))
+        file = write_problem(problem, recording.low_states, Path(folder))
         options.report_progress(f"peers: timing {recording.scenario}")
         paired_runs = make_paired_runs(problem, recording, options, interpreters, file)
         with one_processor():

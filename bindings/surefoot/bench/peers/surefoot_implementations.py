@@ -62,10 +62,10 @@ class StateToTorque:
 class WholeTick:
     """Surefoot from LowState to LowCmd: StandController.update(), with estimator and limits."""
 
-    def __init__(self, problem: Problem, reports: list[LowState]) -> None:
+    def __init__(self, problem: Problem, low_states: list[LowState]) -> None:
         self._controller = StandController(problem.robot)
         self._width = tick_width(problem)
-        self._reports = reports
+        self._low_states = low_states
 
     def run_ticks(self, first: int, count: int) -> Ticks:
         """See Implementation; forces and torques stay zero, because the whole tick solves more."""
@@ -73,10 +73,10 @@ class WholeTick:
             self._controller.reset()  # otherwise the controller's clock would go backwards
         update = self._controller.update
         ticks = np.zeros((count, self._width))
-        for row, report in zip(ticks, self._reports[first : first + count], strict=True):
+        for row, low_state in zip(ticks, self._low_states[first : first + count], strict=True):
             cpu = thread_time_ns()
             wall = perf_counter_ns()
-            update(report)
+            update(low_state)
             wall = perf_counter_ns() - wall
             cpu = thread_time_ns() - cpu
             row[: SOLVED + 1] = wall, cpu, is_usable(self._controller.status)

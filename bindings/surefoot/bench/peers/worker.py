@@ -26,11 +26,11 @@ class Worker:
         versions: Versions of the packages that the worker uses.
     """
 
-    def __init__(self, words: list[str], width: int, timeout: float) -> None:
+    def __init__(self, command_line: list[str], width: int, timeout: float) -> None:
         """Start the worker and wait until it is ready.
 
         Args:
-            words: Command of the worker.
+            command_line: Command of the worker.
             width: Number of values per tick.
             timeout: Longest time to wait for an answer [s].
 
@@ -41,7 +41,7 @@ class Worker:
         self._errors = tempfile.TemporaryFile()
         try:
             self._process = subprocess.Popen(
-                words,
+                command_line,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=self._errors,
@@ -139,7 +139,7 @@ def worker_factory(
     its PeerError.
     """
     try:
-        words = command()
+        command_line = command()
     except (PeerError, OSError) as problem:
         reason = str(problem)
 
@@ -147,4 +147,4 @@ def worker_factory(
             raise PeerError(reason)
 
         return raise_error
-    return lambda: Worker(words, width, timeout)
+    return lambda: Worker(command_line, width, timeout)

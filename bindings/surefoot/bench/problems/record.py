@@ -74,12 +74,12 @@ def stand_problems(
     plant = scenario.make_plant(robot, rate, seed)
     assumed_robot = scenario.controller_robot(plant.robot)
     controller = StandController(assumed_robot, assumed_robot.config.gains, StandOptions(form=form))
-    report = plant.reset()
+    low_state = plant.reset()
     for tick in range(round(scenario.duration * rate)):
         scenario.apply_reference(controller, tick / rate)
-        command = controller.update(report)
+        command = controller.update(low_state)
         if is_usable(controller.status):
             yield tick, controller.qp
-        report = plant.step(command)
+        low_state = plant.step(command)
         if plant.truth.fell:
             return

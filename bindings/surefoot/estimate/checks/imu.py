@@ -47,8 +47,8 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
     if not 0.7 * GRAVITY < norm < 1.4 * GRAVITY:
         return [f"accelerometer has a median size of {norm:.3g} m/s^2, expected about {GRAVITY}"]
     w, x, y, z = robot.config.quat_base_imu
-    felt = matrices_from_xyzw(np.array([[x, y, z, w]]))[0] @ finite_median(values)
-    if felt[2] < -0.7 * GRAVITY:
+    specific_force = matrices_from_xyzw(np.array([[x, y, z, w]]))[0] @ finite_median(values)
+    if specific_force[2] < -0.7 * GRAVITY:
         return ["accelerometer: the robot lies on its back, or the sign is wrong"]
     return []
 
@@ -70,9 +70,9 @@ def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
         )
     if len(windows) == 0:
         return []
-    turns = quaternion_rotations(log, windows)
-    if turns is not None:
-        return _compare(log, windows.gyro_rotation, turns, MIN_ROTATION, "quaternion")
+    other_rotations = quaternion_rotations(log, windows)
+    if other_rotations is not None:
+        return _compare(log, windows.gyro_rotation, other_rotations, MIN_ROTATION, "quaternion")
     return _compare(log, *_tilt_rotations(windows), MIN_TILT, "accelerometer")
 
 
@@ -83,22 +83,22 @@ def _tilt_rotations(windows: Windows) -> tuple[Array, Array]:
         return np.zeros((0, 3)), np.zeros((0, 3))
     up = unit_rows(windows.mean_acceleration)
     total = np.cumsum(windows.gyro_rotation, axis=0)
-    turned = total[span:] - total[:-span]
+    gyro_rotations = total[span:] - total[:-span]
     axis = up[span:]
-    turned = turned - axis * np.sum(
-        axis * turned, axis=1, keepdims=True
+    gyro_rotations = gyro_rotations - axis * np.sum(
+        axis * gyro_rotations, axis=1, keepdims=True
     )  # the accelerometer does not measure yaw
-    return turned, np.cross(up[:-span], up[span:])
+    return gyro_rotations, np.cross(up[:-span], up[span:])
 
 
 def _compare(
-    log: SensorLog, turned: Array, turns: Array, threshold: float, other: str
+    log: SensorLog, gyro_rotations: Array, other_rotations: Array, threshold: float, other: str
 ) -> list[str]:
-    size = np.linalg.norm(turns, axis=1)
+    size = np.linalg.norm(other_rotations, axis=1)
     rotating = size > threshold
-    gyro_while_still = np.linalg.norm(turned[~rotating], axis=1)
+    gyro_while_still = np.linalg.norm(gyro_rotations[~rotating], axis=1)
     if rotating.sum() >= MIN_WINDOWS:
-        ratio = float(np.median(np.linalg.norm(turned[rotating], axis=1) / size[rotating]))
+        ratio = float(np.median(np.linalg.norm(gyro_rotations[rotating], axis=1) / size[rotating]))
         if 0.5 * DEG_PER_RAD < ratio < 2.0 * DEG_PER_RAD:
             raise Error(
                 f"{log.source}: column 'gyroscope': got rotations {ratio:.1f} times those of "

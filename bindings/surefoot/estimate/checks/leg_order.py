@@ -99,12 +99,12 @@ def _check_stance(
     table = np.array(
         [[_feet_with_exchanged_angles(feet, log, row) for row in pair] for pair in rows]
     )
-    back = np.swapaxes(_base_rotations(robot, turned[most_moving]), 1, 2)
+    start_to_end = np.swapaxes(_base_rotations(robot, turned[most_moving]), 1, 2)
     slides = {}
     for flip, order in itertools.product(_MIRRORED_LEGS, itertools.permutations(range(4))):
         mirrored = np.isin(np.arange(4), _MIRRORED_LEGS[flip]).astype(int)
         placed = table[:, :, mirrored, np.arange(4), list(order), :]
-        slides[flip, order] = _median_slide(placed, back)
+        slides[flip, order] = _median_slide(placed, start_to_end)
     logged_slide = slides["", (0, 1, 2, 3)]
     flip, order = min(slides, key=lambda key: slides[key])
     if logged_slide < MAX_FOOT_SLIDE**2 or slides[flip, order] > ORDER_FIT_RATIO * logged_slide:
@@ -112,7 +112,7 @@ def _check_stance(
     names = " ".join(LEGS[list(order).index(k)] for k in range(4))
     found = f"legs in the order {names}" + (f" with {flip} mirrored" if flip else "")
     reversed_gyro_slide = _median_slide(
-        table[:, :, 0, np.arange(4), np.arange(4)], np.swapaxes(back, 1, 2)
+        table[:, :, 0, np.arange(4), np.arange(4)], np.swapaxes(start_to_end, 1, 2)
     )
     if reversed_gyro_slide < slides[flip, order]:
         found = "the gyroscope reversed"
@@ -125,15 +125,15 @@ def _check_stance(
     )
 
 
-def _median_slide(placed: Array, back: Array) -> float:
+def _median_slide(placed: Array, start_to_end: Array) -> float:
     """Return the median over windows of the summed squared relative motion of the feet [m^2].
 
     Args:
         placed: (w, 2, 4, 3) feet in base axes at start and end [m].
-        back: (w, 3, 3) rotations from base axes at the start to base axes at the end.
+        start_to_end: (w, 3, 3) rotations from base axes at the start to base axes at the end.
     """
     placed = placed - placed.mean(axis=2, keepdims=True)
-    slide = placed[:, 1] - np.einsum("nij,nlj->nli", back, placed[:, 0])
+    slide = placed[:, 1] - np.einsum("nij,nlj->nli", start_to_end, placed[:, 0])
     return float(np.median(np.sum(slide**2, axis=(1, 2))))
 
 

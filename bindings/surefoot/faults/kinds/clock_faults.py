@@ -74,7 +74,7 @@ class MissedPeriods(Fault):
             command.raw[:] = damping_low_cmd(BRAKE_KD).raw
 
 
-class ProgramSuspended(MissedPeriods):
+class ProcessSuspended(MissedPeriods):
     """The control process is suspended once; reaction times count from the end of the suspension.
 
     Args:
@@ -130,12 +130,12 @@ def restarted_clock() -> Callable[[int, int], int]:
     return lambda tick, k: 2 * k
 
 
-def clock_at_speed(per_period: int) -> Callable[[int, int], int]:
-    """Return a clock for TickFault that advances by `per_period` ms in every period of 2 ms."""
+def clock_with_step(ms_per_period: int) -> Callable[[int, int], int]:
+    """Return a clock for TickFault that advances by `ms_per_period` ms in every period of 2 ms."""
     ticks: list[int] = []
 
     def reported(tick: int, k: int) -> int:
         ticks.append(tick)
-        return ticks[0] + per_period * k
+        return ticks[0] + ms_per_period * k
 
     return reported

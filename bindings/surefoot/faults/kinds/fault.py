@@ -40,14 +40,14 @@ class Fault:
     def set_options(self, options: SupervisorOptions) -> None:
         """Change the options of the supervisor in place."""
 
-    def start(self, plant: Plant, lying: Array) -> LowState:
+    def start(self, plant: Plant, lying_qpos: Array) -> LowState:
         """Put the robot into its initial state and return the first sample.
 
         Args:
             plant: Plant of the robot.
-            lying: MuJoCo qpos of the robot that lies at rest.
+            lying_qpos: MuJoCo qpos of the robot that lies at rest.
         """
-        return plant.reset_lying_at(lying)
+        return plant.reset_lying_at(lying_qpos)
 
     def prepare(self, supervisor: Supervisor) -> None:
         """Prepare the supervisor before the first sample."""
@@ -59,7 +59,7 @@ class Fault:
         """Return True if the control loop runs in period k, False if it misses the period."""
         return True
 
-    def update_before(self, supervisor: Supervisor) -> None:
+    def operate_before_onset(self, supervisor: Supervisor) -> None:
         """Call functions of the supervisor in every period before the onset."""
 
     def change_state(self, state: LowState, k: int) -> None:

@@ -59,17 +59,17 @@ class WrongRobot(Fault):
     """The supervisor has the model of another robot, from the start.
 
     Args:
-        others: Name of the wrong model, by the name of the true robot.
+        wrong_robots: Name of the wrong model, by the name of the true robot.
     """
 
     from_start = True
 
-    def __init__(self, others: dict[str, str]) -> None:
-        self._others = others
+    def __init__(self, wrong_robots: dict[str, str]) -> None:
+        self._wrong_robots = wrong_robots
 
     def assumed_robot(self, robot: Robot) -> Robot:
         """Return the wrong model."""
-        return load_robot(self._others.get(robot.name, "go1"))
+        return load_robot(self._wrong_robots.get(robot.name, "go1"))
 
 
 class ChangedSurroundings(Fault):
@@ -92,9 +92,9 @@ class ChangedSurroundings(Fault):
             settings, friction=self._friction, soft_ground_sink=self._sink, hung=self._hung
         )
 
-    def start(self, plant: Plant, lying: Array) -> LowState:
+    def start(self, plant: Plant, lying_qpos: Array) -> LowState:
         """Put the robot into its lying pose, or let it hang; return the first sample."""
-        return plant.reset() if self._hung else super().start(plant, lying)
+        return plant.reset() if self._hung else super().start(plant, lying_qpos)
 
 
 class UnknownPayload(Fault):
@@ -134,7 +134,7 @@ class StartsStanding(Fault):
 
     from_start = True
 
-    def start(self, plant: Plant, lying: Array) -> LowState:
+    def start(self, plant: Plant, lying_qpos: Array) -> LowState:
         """Put the robot into its standing pose; return the first sample."""
         return plant.reset()
 

@@ -17,17 +17,17 @@ class LinkFault(Fault):
     """Frames do not arrive as the robot sent them.
 
     Args:
-        damage: Function that changes the frames.
+        change: Function that changes the frames.
     """
 
     uses_frames = True
 
-    def __init__(self, damage: FrameChange) -> None:
-        self._damage = damage
+    def __init__(self, change: FrameChange) -> None:
+        self._change = change
 
     def change_frame(self, frame: bytes, k: int) -> list[bytes]:
         """Return the datagrams that arrive instead of the frame."""
-        return self._damage(frame, k)
+        return self._change(frame, k)
 
 
 def no_frame(frame: bytes, k: int) -> list[bytes]:
@@ -39,11 +39,11 @@ def frozen_frame() -> FrameChange:
     """Return a change that delivers the first frame in every period."""
     kept: list[bytes] = []
 
-    def damage(frame: bytes, k: int) -> list[bytes]:
+    def change(frame: bytes, k: int) -> list[bytes]:
         kept.append(frame)
         return kept[:1]
 
-    return damage
+    return change
 
 
 def flipped_bit(frame: bytes, k: int) -> list[bytes]:
@@ -66,11 +66,11 @@ def truncated(frame: bytes, k: int) -> list[bytes]:
 def wrong_length(size: int) -> FrameChange:
     """Return a change that gives frames a length of `size` bytes and a valid CRC."""
 
-    def damage(frame: bytes, k: int) -> list[bytes]:
+    def change(frame: bytes, k: int) -> list[bytes]:
         body = frame[: size - 4].ljust(size - 4, b"\0")
         return [body + crc32(body).to_bytes(4, "little")]
 
-    return damage
+    return change
 
 
 def random_loss(share: float) -> FrameChange:
@@ -79,24 +79,24 @@ def random_loss(share: float) -> FrameChange:
     return lambda frame, k: [] if rng.uniform() < share else [frame]
 
 
-def intermittent(damage: FrameChange, every: int, length: int = 1) -> FrameChange:
+def intermittent(change: FrameChange, every: int, length: int = 1) -> FrameChange:
     """Return a change that acts on the first `length` frames in each cycle of `every` frames."""
-    return lambda frame, k: damage(frame, k) if k % every < length else [frame]
+    return lambda frame, k: change(frame, k) if k % every < length else [frame]
 
 
-def delayed(ticks: int, every: int = 1) -> FrameChange:
-    """Return a change that delays one in `every` frames by `ticks` periods."""
+def delayed(period_count: int, every: int = 1) -> FrameChange:
+    """Return a change that delays one in `every` frames by `period_count` periods."""
     waiting: list[tuple[int, bytes]] = []
 
-    def damage(frame: bytes, k: int) -> list[bytes]:
+    def change(frame: bytes, k: int) -> list[bytes]:
         due = [f for when, f in waiting if when <= k]
         waiting[:] = [entry for entry in waiting if entry[0] > k]
         if k % every:
             return [frame, *due]
-        waiting.append((k + ticks, frame))
+        waiting.append((k + period_count, frame))
         return due
 
-    return damage
+    return change
 
 
 def swapped(every: int) -> FrameChange:

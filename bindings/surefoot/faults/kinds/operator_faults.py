@@ -82,7 +82,7 @@ class HeartbeatLost(Fault):
         """Set the operator timeout."""
         options.operator_timeout = self._timeout
 
-    def update_before(self, supervisor: Supervisor) -> None:
+    def operate_before_onset(self, supervisor: Supervisor) -> None:
         """Send a heartbeat."""
         supervisor.heartbeat()
 

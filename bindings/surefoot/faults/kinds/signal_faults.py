@@ -50,11 +50,11 @@ def scaled(by: float) -> Change:
     return change
 
 
-def drifting(per_tick: float) -> Change:
-    """Return a change that adds an offset, which grows by `per_tick` in every period."""
+def drifting(per_period: float) -> Change:
+    """Return a change that adds an offset, which grows by `per_period` in every period."""
 
     def change(values: Values, k: int) -> None:
-        values[...] = values + np.asarray((k + 1) * per_tick).astype(values.dtype)
+        values[...] = values + np.asarray((k + 1) * per_period).astype(values.dtype)
 
     return change
 
@@ -87,12 +87,12 @@ def noise(size: float) -> Change:
     return change
 
 
-def slow(ticks: int) -> Change:
-    """Return a change that holds the signal and updates it once in `ticks` periods."""
+def slow(period_count: int) -> Change:
+    """Return a change that holds the signal and updates it once in `period_count` periods."""
     held: list[Values] = []
 
     def change(values: Values, k: int) -> None:
-        if k % ticks == 0:
+        if k % period_count == 0:
             held[:] = [values.copy()]
         values[...] = held[0]
 
@@ -104,8 +104,8 @@ def stuck() -> Change:
     return slow(10**9)
 
 
-def delayed(ticks: int) -> Change:
-    """Return a change that delays the signal by `ticks` periods.
+def delayed(period_count: int) -> Change:
+    """Return a change that delays the signal by `period_count` periods.
 
     Until then, the signal keeps the value that it has at the onset.
     """
@@ -114,7 +114,7 @@ def delayed(ticks: int) -> Change:
     def change(values: Values, k: int) -> None:
         queue.append(values.copy())
         values[...] = queue[0]
-        if len(queue) > ticks:
+        if len(queue) > period_count:
             queue.popleft()
 
     return change

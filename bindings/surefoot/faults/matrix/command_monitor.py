@@ -47,7 +47,7 @@ class CommandMonitor:
     Attributes:
         not_finite: Number of commands with a NaN or an infinity.
         torque_share: Largest feed-forward torque, as a share of the motor's torque limit.
-        rate_share: Largest torque step in a period, as a share of the motor's torque limit.
+        torque_step_share: Largest torque step in a period, as a share of the motor's torque limit.
         power_trips: Number of commands, except damping, that the power protection refused.
         power: Largest measured power in periods without damping [W].
         hold_time: Longest time for which the same command was repeated [s].
@@ -60,7 +60,7 @@ class CommandMonitor:
         self._previous: npt.NDArray[Any] | None = None
         self._repeats = 0
         self.not_finite = self.power_trips = self.position_mode = 0
-        self.torque_share = self.rate_share = self.power = self.hold_time = 0.0
+        self.torque_share = self.torque_step_share = self.power = self.hold_time = 0.0
 
     def check(self, command: LowCmd, sample: LowState, dq: npt.NDArray[np.float64]) -> None:
         """Check a command and update the attributes.
@@ -105,7 +105,9 @@ class CommandMonitor:
         # A motor limits its torque, so the torque of the last command is limited here too.
         continued_torque = previous["tau"] + (motors["Kd"].astype(float) - previous["Kd"]) * dq
         step = motors["tau"] - np.clip(continued_torque, -self._tau_max, self._tau_max)
-        self.rate_share = max(self.rate_share, float(np.max(np.abs(step) / self._tau_max)))
+        self.torque_step_share = max(
+            self.torque_step_share, float(np.max(np.abs(step) / self._tau_max))
+        )
 
     def violations(self) -> list[str]:
         """Return the violations of limits, each as text; empty if there are none."""
@@ -114,8 +116,8 @@ class CommandMonitor:
             found.append(f"{self.not_finite} commands not finite")
         if self.torque_share > 1.0 + _ROUNDING:
             found.append(f"torque {self.torque_share:.2f} of the limit")
-        if self.rate_share > MAX_TORQUE_STEP:
-            found.append(f"torque step {self.rate_share:.2f} of the limit in a period")
+        if self.torque_step_share > MAX_TORQUE_STEP:
+            found.append(f"torque step {self.torque_step_share:.2f} of the limit in a period")
         if self.power_trips:
             refused = f"{self.power_trips} commands that the power protection refused"
             found.append(f"{refused} ({self.power:.0f} W)")

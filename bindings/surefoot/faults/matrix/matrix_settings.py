@@ -24,7 +24,7 @@ class FaultSettings:
         store: File that keeps the result of every cell, so that a run can be resumed; None: no
             file.
         taken_over: True: the supervisor starts with a standing robot and without arming checks.
-            Only the cells whose property starts_standing is True run.
+            Only the cells whose property can_start_standing is True run.
     """
 
     robot: str | RobotDescription = "go1"

@@ -78,12 +78,12 @@ def observe(scenario: Scenario, expectation: Expectation, mode: str) -> Observat
         mode: Mode of the cell.
     """
     observed, periods = Observation(), 0
-    refuses = expectation.reaction == Reaction.REFUSE and mode == "lying"
+    expects_refusal = expectation.reaction == Reaction.REFUSE and mode == "lying"
     scenario.begin()
     count = _fault_count(scenario, expectation)
     for k in range(round(_max_duration(expectation, mode) / PERIOD)):
         due = k * PERIOD >= expectation.within - TIME_TOLERANCE or not scenario.armed
-        if refuses and due and observed.accepted_at is None:
+        if expects_refusal and due and observed.accepted_at is None:
             _request_rise(scenario, observed, k * PERIOD)
         scenario.step()
         if periods or scenario.fault.is_observable(scenario.plant):
@@ -112,9 +112,9 @@ def _max_duration(expectation: Expectation, mode: str) -> float:
 
 def _is_complete(observed: Observation, expectation: Expectation, mode: str) -> bool:
     """Return True if the robot has reacted and was observed for long enough after its reaction."""
-    since = observed.damped_at if expectation.reaction != Reaction.SIT else observed.passive_at
+    reacted_at = observed.damped_at if expectation.reaction != Reaction.SIT else observed.passive_at
     if expectation.reaction in (Reaction.DAMP, Reaction.SIT, Reaction.STAY):
-        return since is not None and observed.duration > since + SETTLED_TIME
+        return reacted_at is not None and observed.duration > reacted_at + SETTLED_TIME
     if mode != "rising":
         return False
     ends = [t for t in (observed.stood_at, observed.damped_at) if t is not None]

@@ -7,7 +7,7 @@ from surefoot.faults.matrix.scenario import Scenario
 from surefoot.sim import Push
 
 RISE_REQUESTED = "rise requested"  # mode in which the fault begins right after the request to rise
-# The numbers are chosen; docs/faults.md lists them.
+# The numbers are chosen; docs/reference/fault-injection.md lists them.
 # Share of the rise at which a fault begins. There the legs carry the body, and the rise goes on.
 RISE_FRACTION = 0.4
 RISE_TIME = 15.0  # [s] longest rise; the median is 7 to 10 s (benchmarks/get_up.py)
@@ -28,7 +28,7 @@ def reach_mode(scenario: Scenario, mode: str) -> str:
     """
     if scenario.taken_over:
         scenario.step()
-        return _stand(scenario, mode) if scenario.is_armed() else "was not taken over"
+        return _stand(scenario, mode) if scenario.update_armed() else "was not taken over"
     if not scenario.arm():
         return f"was not armed: {scenario.arming_failures}"
     if mode == "lying":

@@ -47,13 +47,9 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
     problem = ""
     if not (cell.expectation.reaction == Reaction.REFUSE and scenario.fault.from_start):
         problem = reach_mode(
-            scenario, RISE_REQUESTED if _may_show_on_rise_request(scenario, cell) else cell.mode
+            scenario, RISE_REQUESTED if _may_be_detected_on_rise(scenario, cell) else cell.mode
         )
-    if (
-        _may_show_on_rise_request(scenario, cell)
-        and not scenario.armed
-        and scenario.arming_failures
-    ):
+    if _may_be_detected_on_rise(scenario, cell) and not scenario.armed and scenario.arming_failures:
         # The failed arming checks name the fault. This is as good as a detection during the rise.
         return _record(scenario, cell, Observation(), scenario.monitor.violations())
     observed = Observation() if problem else observe(scenario, cell.expectation, cell.mode)
@@ -76,7 +72,7 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
     return _record(scenario, cell, observed, problems)
 
 
-def _may_show_on_rise_request(scenario: Scenario, cell: Cell) -> bool:
+def _may_be_detected_on_rise(scenario: Scenario, cell: Cell) -> bool:
     """Return True for a fault from before arming that may be detected only when a rise begins."""
     expectation = cell.expectation
     return scenario.fault.from_start and (
@@ -105,7 +101,7 @@ def _record(
         "damping_reason": scenario.supervisor.damping_fault.name.lower(),
         "not_finite": monitor.not_finite,
         "torque_share": monitor.torque_share,
-        "torque_step_share": monitor.rate_share,
+        "torque_step_share": monitor.torque_step_share,
         "power_trips": monitor.power_trips,
         "greatest_power_W": monitor.power,
         "held_s": monitor.hold_time,

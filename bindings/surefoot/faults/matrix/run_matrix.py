@@ -72,10 +72,10 @@ def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[s
     """Yield the results of cells; with more than one job, in the order in which they end."""
     if jobs == 1:
         for name in names:
-            yield run_or_fail(setup, name)
+            yield run_or_error_result(setup, name)
         return
     with killable_pool(max(1, min(jobs, len(names)))) as pool:
-        futures = [pool.submit(run_or_fail, setup, name) for name in names]
+        futures = [pool.submit(run_or_error_result, setup, name) for name in names]
         try:
             for future in as_completed(futures):
                 yield future.result()
@@ -85,7 +85,7 @@ def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[s
             ) from None
 
 
-def run_or_fail(setup: MatrixSetup, name: str) -> dict[str, Any]:
+def run_or_error_result(setup: MatrixSetup, name: str) -> dict[str, Any]:
     """Run a cell and return its result; return a failed result if the run raises an exception."""
     try:
         return run_cell(setup, name)

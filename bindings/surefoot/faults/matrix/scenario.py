@@ -38,7 +38,7 @@ class Scenario:
         monitor: Monitor of the commands.
         fault: The fault; begin() starts it.
         command: Last command of the supervisor.
-        armed: True if the supervisor was armed at the last call of arm() or is_armed().
+        armed: True if the supervisor was armed at the last call of arm() or update_armed().
         taken_over: True: the robot stands from the start, and the supervisor is armed without
             checks.
         k: Number of control periods since the onset of the fault; None before the onset.
@@ -94,7 +94,7 @@ class Scenario:
         received.raw[:] = self._state.raw
         runs = True
         if k is None:
-            fault.update_before(self.supervisor)
+            fault.operate_before_onset(self.supervisor)
         else:
             runs = fault.loop_runs(k)
             fault.change_state(received, k)
@@ -138,11 +138,11 @@ class Scenario:
         for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()
-                return self.is_armed()
+                return self.update_armed()
             self.step()
         return False
 
-    def is_armed(self) -> bool:
+    def update_armed(self) -> bool:
         """Return True if the supervisor is armed.
 
         reported_faults then contains only the faults reported after this call.
@@ -153,7 +153,7 @@ class Scenario:
 
     @property
     def reported_faults(self) -> list[str]:
-        """Names of the faults that the supervisor has reported since the last is_armed()."""
+        """Names of the faults that the supervisor has reported since the last update_armed()."""
         return [
             name
             for name, n in self._counts().items()

@@ -11,18 +11,18 @@ from surefoot.faults.matrix.observation import Observation
 GRAVITY = 9.81  # [m/s^2]
 # Rise of the base, as a share of the standing height, above which the body has left the ground.
 # Measured: folding legs raise the bodies of healthy robots by 0.04 to 0.07 in the median of 100
-# lying poses, and by at most 0.36 (docs/faults.md).
-LYING_SHARE = 0.4
+# lying poses, and by at most 0.36 (docs/reference/fault-injection.md).
+MAX_LYING_RISE_SHARE = 0.4
 
 
-def fall_speed(height: float) -> float:
+def allowed_descent_speed(height: float) -> float:
     """Return the largest allowed descent speed [m/s]: half of the speed after a free fall.
 
     Args:
         height: Height of the fall [m].
     """
     # The factor 0.5 is chosen: small robots descend at 0.5 m/s with damping motors, and b1 descends
-    # at 1 m/s (docs/faults.md).
+    # at 1 m/s (docs/reference/fault-injection.md).
     return 0.5 * math.sqrt(2.0 * GRAVITY * height)
 
 
@@ -70,11 +70,11 @@ def descends_too_fast(observed: Observation, height: float) -> list[str]:
         observed: Observation of the reaction.
         height: Height of the standing base [m].
     """
-    if observed.max_descent_speed <= fall_speed(height):
+    if observed.max_descent_speed <= allowed_descent_speed(height):
         return []
     return [
         f"went down at {observed.max_descent_speed:.2f} m/s, "
-        f"expected at most {fall_speed(height):.2f} m/s"
+        f"expected at most {allowed_descent_speed(height):.2f} m/s"
     ]
 
 
@@ -111,7 +111,7 @@ def _stays(observed: Observation, expectation: Expectation, height: float) -> li
     problems = _damps(observed, expectation)
     if observed.damped_at is not None and observed.latch_reason != expectation.fault:
         problems.append(f"latched for {observed.latch_reason}, expected {expectation.fault}")
-    if observed.max_rise > LYING_SHARE * height:
+    if observed.max_rise > MAX_LYING_RISE_SHARE * height:
         problems.append(f"rose by {100 * observed.max_rise:.0f} cm")
     return problems
 

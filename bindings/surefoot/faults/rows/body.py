@@ -10,7 +10,7 @@ from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 RISING = ("rising",)
 # Expected after a fall: damping for any fault, because a push can trip the power protection before
 # the supervisor detects the tilt.
-FALL = expect_damp(table_expectation("tilt").within)
+DAMP_AFTER_FALL = expect_damp(table_expectation("tilt").within)
 # Highest power protection level of the SDK (1000 W). Needed for landings: the motors take up to
 # 552 W, measured with benchmarks/external_lifts.py.
 LANDING_LEVEL = 10
@@ -18,7 +18,7 @@ LANDING_LEVEL = 10
 # The numbers are chosen. In spite of the changes in `model_mismatch` and `ground`, the robot must
 # continue. In `payload` the payload exceeds payload_limit. The argument delay of
 # table_expectation() is the time [s] until the robot stands or until the injection has an effect.
-MODEL = (
+MODEL_ROWS = (
     Row(
         "model_mismatch",
         "mass or centre of mass differ from the model",
@@ -105,7 +105,7 @@ MODEL = (
         ),
     ),
 )
-FALLS = (
+FALL_ROWS = (
     Row(
         "body_tilt",
         "the body tilts too far",
@@ -114,7 +114,7 @@ FALLS = (
                 "wrong",
                 "a push rolls the robot over",
                 lambda: PushFault(4.0, height=1.0, until_down=True),
-                FALL,
+                DAMP_AFTER_FALL,
                 lying=None,
             ),
         ),
@@ -127,7 +127,7 @@ FALLS = (
                 "wrong",
                 "a push of twice the LIP push limit",
                 lambda: PushFault(2.0, height=0.0, until_down=True),
-                FALL,
+                DAMP_AFTER_FALL,
                 modes=STANDING_MODES,
             ),
         ),
@@ -170,4 +170,4 @@ FALLS = (
     ),
 )
 
-ROWS = MODEL + FALLS
+ROWS = MODEL_ROWS + FALL_ROWS

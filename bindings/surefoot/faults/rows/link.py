@@ -7,7 +7,7 @@ from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
 from surefoot.faults.kinds import clock_faults as clock
 from surefoot.faults.kinds import link_faults as link
 
-STALE = table_expectation("stale_tick")
+STALE_TICK_FAULT = table_expectation("stale_tick")
 # [s] Time limit of a refusal for lost frames. With 4 % of the frames lost, the arming check "link"
 # fails after 0.3 s: then its mean share of missing samples (time constant 1 s) reaches 1 %.
 LATE_REFUSAL = expect_refusal(0.5)
@@ -16,7 +16,7 @@ LATE_REFUSAL = expect_refusal(0.5)
 # Some injections are below, some above kHoldTime (10 ms), kRobotWatchdogTime (100 ms), and the
 # limits of missing samples: 1 % for arming, 5 % for the fault "loss". A LowState of go1-v3.4 has
 # 795 bytes.
-LINK = (
+LINK_ROWS = (
     Row(
         "stale_tick",
         "samples do not advance",
@@ -25,9 +25,9 @@ LINK = (
                 "stuck",
                 "the same frame repeats",
                 lambda: link.LinkFault(link.frozen_frame()),
-                STALE,
+                STALE_TICK_FAULT,
             ),
-            case("wrong", "new data, the same tick", clock.FrozenTick, STALE),
+            case("wrong", "new data, the same tick", clock.FrozenTick, STALE_TICK_FAULT),
             case(
                 "intermittent",
                 "3 frames of 50 are lost",
@@ -63,7 +63,7 @@ LINK = (
                 "wrong",
                 "the robot's clock restarts at 0",
                 lambda: clock.TickFault(clock.restarted_clock()),
-                STALE,
+                STALE_TICK_FAULT,
             ),
         ),
     ),
@@ -101,14 +101,14 @@ LINK = (
             case(
                 "slow",
                 "the clock runs half as fast",
-                lambda: clock.TickFault(clock.clock_at_speed(per_period=1)),
+                lambda: clock.TickFault(clock.clock_with_step(ms_per_period=1)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "wrong",
                 "the clock runs twice as fast",
-                lambda: clock.TickFault(clock.clock_at_speed(per_period=4)),
+                lambda: clock.TickFault(clock.clock_with_step(ms_per_period=4)),
                 watch_unless("clock"),
                 None,
                 rising=table_expectation("clock"),
@@ -126,30 +126,30 @@ LINK = (
         "packet_loss",
         "frames are lost or damaged",
         (
-            case("off", "no frames", lambda: link.LinkFault(link.no_frame), STALE),
+            case("off", "no frames", lambda: link.LinkFault(link.no_frame), STALE_TICK_FAULT),
             case(
                 "garbage",
                 "each frame has a flipped bit",
                 lambda: link.LinkFault(link.flipped_bit),
-                STALE,
+                STALE_TICK_FAULT,
             ),
             case(
                 "garbage",
                 "frames of random bytes",
                 lambda: link.LinkFault(link.random_bytes),
-                STALE,
+                STALE_TICK_FAULT,
             ),
             case(
                 "wrong",
                 "half of each frame is missing",
                 lambda: link.LinkFault(link.truncated),
-                STALE,
+                STALE_TICK_FAULT,
             ),
             case(
                 "wrong",
                 "frames have the length of another generation",
                 lambda: link.LinkFault(link.wrong_length(795)),
-                STALE,
+                STALE_TICK_FAULT,
             ),
             case(
                 "slow",
@@ -195,7 +195,7 @@ LINK = (
 )
 # The stop of the process and the clock steps (0.5 s) exceed kRobotWatchdogTime. Gaps of 6 ms, in
 # every 100 ms, are shorter than kHoldTime.
-CLOCK = (
+CLOCK_ROWS = (
     Row(
         "control_overrun",
         "the control loop misses periods",
@@ -230,24 +230,24 @@ CLOCK = (
             case(
                 "stuck",
                 "the process stops",
-                lambda: clock.ProgramSuspended(periods=250),
-                STALE,
+                lambda: clock.ProcessSuspended(periods=250),
+                STALE_TICK_FAULT,
                 expect_refusal(0.55),
             ),
             case(
                 "wrong",
                 "the clock steps forward",
                 lambda: clock.TickFault(lambda t, k: t + 500),
-                STALE,
+                STALE_TICK_FAULT,
             ),
             case(
                 "wrong",
                 "the clock steps back",
                 lambda: clock.TickFault(lambda t, k: t - 500),
-                STALE,
+                STALE_TICK_FAULT,
             ),
         ),
     ),
 )
 
-ROWS = LINK + CLOCK
+ROWS = LINK_ROWS + CLOCK_ROWS

@@ -49,16 +49,18 @@ class Sensors(_plant.Sensors):
         imu_rng, encoder_rng, foot_rng = (
             np.random.default_rng([settings.seed, k]) for k in range(3)
         )
-        self.imu_bias, flaws = np.zeros(6), None
+        self.imu_bias, imu_errors = np.zeros(6), None
         encoders: IdealEncoders | RealEncoders = IdealEncoders()
         if settings.real:
-            flaws, self.imu_bias = draw_imu_errors(settings.flaws, settings.physics_dt, imu_rng)
+            imu_errors, self.imu_bias = draw_imu_errors(
+                settings.flaws, settings.physics_dt, imu_rng
+            )
             encoders = RealEncoders(settings.physics_dt, encoder_rng)
         super().__init__(
             mujoco_state(data, handles),
             WireFormat(robot.name, settings.real),
             (handles.gyro.start, handles.accelerometer.start, handles.quaternion.start),
-            flaws,
+            imu_errors,
             imu_rng,
             encoders,
             FootSensors(

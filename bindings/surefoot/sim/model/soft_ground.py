@@ -52,10 +52,10 @@ def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings
             condim=3,
             friction=[friction, friction, 0.005, 0.0001, 0.0001],
         )
-        shin = spec.body(name).parent
-        while not shin.joints and shin.parent.name != "world":
-            shin = shin.parent
-        spec.add_exclude(bodyname1="world", bodyname2=shin.name)
+        calf = spec.body(name).parent
+        while not calf.joints and calf.parent.name != "world":
+            calf = calf.parent
+        spec.add_exclude(bodyname1="world", bodyname2=calf.name)
 
 
 def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSettings) -> None:
@@ -71,8 +71,8 @@ def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSe
     for name in robot.config.foot_frames:
         pair = model.pair(name)
         inverse_inertia = float(model.body_invweight0[model.body(name).id, 0])
-        rate = damping * inverse_inertia * settings.physics_dt
-        one_minus_impedance = min(1.0 - _MIN_IMPEDANCE, _MAX_STEP_RATIO / rate)  # 1 - d
+        step_ratio = damping * inverse_inertia * settings.physics_dt
+        one_minus_impedance = min(1.0 - _MIN_IMPEDANCE, _MAX_STEP_RATIO / step_ratio)  # 1 - d
         impedance = 1.0 - one_minus_impedance
         pair.solimp[:] = [impedance, impedance, 0.001, 0.5, 2.0]
         pair.solref[:] = [

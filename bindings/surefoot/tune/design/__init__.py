@@ -1,6 +1,6 @@
 """Gains and stability margins for requested frequency and damping, from a model of the loop.
 
-docs/tuning-design.md derives the model. Needs CasADi: ``pip install surefoot[tune]``.
+docs/how-to/design-gains.md derives the model. Needs CasADi: ``pip install surefoot[tune]``.
 """
 
 from surefoot.tune.design.closed_loop import ClosedLoop

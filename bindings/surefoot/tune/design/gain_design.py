@@ -132,5 +132,7 @@ def _design_axis(
             goal_args = goal, settings.timing, body.axis_directions(name)
             raise Error(unstable_goal_text(subject, *goal_args, observers))
         directions[direction.name] = margins
-    least = min(directions, key=lambda key: directions[key].boundary)
-    return AxisDesign(name, goal, uses_robot_gains, least, directions[least], directions)
+    least_stable = min(directions, key=lambda key: directions[key].boundary)
+    return AxisDesign(
+        name, goal, uses_robot_gains, least_stable, directions[least_stable], directions
+    )

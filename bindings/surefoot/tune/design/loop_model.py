@@ -2,7 +2,7 @@
 
 The model has sensors, observers, command delay, motors and body, in the order and with the time
 steps of the simulated robot. The linear model is valid for small motion. The complete model adds
-the dead band of the push observer, dry friction and the limits of the QP. docs/tuning-design.md has
+the dead band of the push observer, dry friction and the limits of the QP. docs/how-to/design-gains.md has
 the equations.
 """
 

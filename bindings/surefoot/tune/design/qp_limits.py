@@ -41,17 +41,17 @@ def qp_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
         )
         sides = []
         for sign in (-1.0, 1.0):
-            given = []
+            achieved = []
             for level in levels:
-                asked = np.zeros(6)
-                asked[k] = sign * level
-                reference.a_com, reference.alpha_world_base = asked[:3], asked[3:]
+                desired = np.zeros(6)
+                desired[k] = sign * level
+                reference.a_com, reference.alpha_world_base = desired[:3], desired[3:]
                 controller.reset()
                 solution = controller.update(state, reference)
                 forces = np.asarray(solution.forces)
                 pull = forces[k].sum() / robot.mass - GRAVITY * (k == 2) if k < 3 else 0.0
-                given.append(sign * (pull if k < 3 else solution.accelerations[k]))
+                achieved.append(sign * (pull if k < 3 else solution.accelerations[k]))
             # Beyond a limit, the achieved acceleration may decrease slightly; the table must not.
-            sides.append(np.column_stack([levels, np.maximum.accumulate(given)]))
+            sides.append(np.column_stack([levels, np.maximum.accumulate(achieved)]))
         out.append(np.vstack([-sides[0][::-1], np.zeros((1, 2)), sides[1]]))
     return out

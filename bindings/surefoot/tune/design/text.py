@@ -101,5 +101,5 @@ def _designed_gain_names(design: Design) -> list[str]:
     """Return the names of the gains of all axes, and of the noise gains changed by the design."""
     own = design.settings.start or design.body.robot.config.gains
     axis_gains = [name for kp, kd, _ in AXES.values() for name in (kp, kd)]
-    doubts = (*IMU_NOISE_GAINS, *LEG_NOISE_GAINS)
-    return axis_gains + [n for n in doubts if getattr(design.gains, n) != getattr(own, n)]
+    noise_gains = (*IMU_NOISE_GAINS, *LEG_NOISE_GAINS)
+    return axis_gains + [n for n in noise_gains if getattr(design.gains, n) != getattr(own, n)]

@@ -9,7 +9,7 @@ from surefoot.tune.design.ranges import check_range
 
 # Limits of the requested delay. Each period of delay adds a state to the model, and the time to
 # compute the poles grows with the cube of the number of states.
-# Chosen: far above the delay with which a robot stands (margins in docs/tuning-design.md).
+# Chosen: far above the delay with which a robot stands (margins in docs/how-to/design-gains.md).
 MAX_DELAY, MAX_DELAY_PERIODS = 0.2, 100  # [s], [periods]
 # [s], [periods] Largest delay that the search for margins adds to the requested delay.
 # Chosen: half of the limits above.
@@ -81,7 +81,7 @@ def _check_periods(
 
 @dataclass(frozen=True)
 class Observers:
-    """Observers of external forces in the estimator; see docs/estimation.md.
+    """Observers of external forces in the estimator; see docs/explanation/estimator.md.
 
     Attributes:
         payload_time: Time constant of the payload observer [s].

@@ -66,7 +66,7 @@ class RunnerStatus:
         q: Estimated q, (nq,), Pinocchio's order; None before the first LowState.
         forces: Contact forces of the QP, (3, 4), world axes [N].
         contact: (4,) true for each foot with a contact confidence above 0.5.
-        sample: Metrics of the last tick; their tick_us is the median of the tick times.
+        metrics: Metrics of the last tick; their tick_us is the median of the tick times.
         refused: Number of re-arms that were refused because no LowState arrived or an arming check
             failed.
     """
@@ -76,7 +76,7 @@ class RunnerStatus:
     q: Array | None
     forces: Array
     contact: npt.NDArray[np.bool_]
-    sample: TickMetrics
+    metrics: TickMetrics
     refused: int = 0
 
 
@@ -125,7 +125,7 @@ def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
         reason = f"wrong generation: {snapshot.last_reject}"
     elif snapshot.phase == "waiting" and snapshot.link.received > 0:
         reason = snapshot.last_reject
-    sample = (
+    metrics = (
         1000.0 * snapshot.position_error,
         float(np.degrees(snapshot.orientation_error)),
         snapshot.torque_ratio,
@@ -137,7 +137,7 @@ def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
         np.array(snapshot.q) if known else None,
         np.array(snapshot.desired_forces).reshape(4, 3).T,
         np.array(snapshot.contact) > 0.5,
-        TickMetrics(*sample, snapshot.tick_p50) if known else TickMetrics(0.0, 0.0, 0.0, 0.0, 0.0),
+        TickMetrics(*metrics, snapshot.tick_p50) if known else TickMetrics(0.0, 0.0, 0.0, 0.0, 0.0),
         snapshot.refused_rearms,
     )
 
@@ -178,7 +178,7 @@ def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
     return bool(word != "stop")
 
 
-def _send_status(pipe: Connection, report: RunnerStatus) -> None:
+def _send_status(pipe: Connection, status: RunnerStatus) -> None:
     """Send a status only if the pipe accepts it at once.
 
     A page that hangs would otherwise block this process.
@@ -186,6 +186,6 @@ def _send_status(pipe: Connection, report: RunnerStatus) -> None:
     if not select.select([], [pipe.fileno()], [], 0.0)[1]:
         return
     try:
-        pipe.send(report)
+        pipe.send(status)
     except OSError:  # the page has ended; the next poll detects it too
         return

@@ -49,9 +49,9 @@ class GainSliders:
 
     def refresh(self) -> None:
         """Update the sliders after a change without a slider (undo, file, A or B) or a refusal."""
-        if self._editor.revision == self._slider_version:
+        if self._editor.slider_version == self._slider_version:
             return
-        self._slider_version = self._editor.revision
+        self._slider_version = self._editor.slider_version
         for info in gain_table():
             value = self._editor.get(info.name)
             self._update_range(info, value)

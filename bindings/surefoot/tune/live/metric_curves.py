@@ -41,9 +41,9 @@ class Curves:
         self._bucket_max: Array | None = None
         self._bucket_end = BUCKET_TIME
 
-    def add(self, time: float, sample: TickMetrics) -> None:
+    def add(self, time: float, metrics: TickMetrics) -> None:
         """Add the metrics of a control period at a time [s]; times must not decrease."""
-        row = np.array(sample)
+        row = np.array(metrics)
         self._bucket_max = row if self._bucket_max is None else np.maximum(self._bucket_max, row)
         if time >= self._bucket_end - 1e-9:
             self._rows.append((time, *self._bucket_max.tolist()))

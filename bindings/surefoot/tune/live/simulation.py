@@ -89,10 +89,10 @@ class Simulation:
         self.score.record()
         self.ticks += 1
         ratio = torque_ratio(self.plant.motors.torque, self._tau_max)
-        sample = TickMetrics(
+        metrics = TickMetrics(
             *pose_errors(self.controller), ratio, self.controller.command_power, elapsed
         )
-        self.curves.add(self.ticks * self.period, sample)
+        self.curves.add(self.ticks * self.period, metrics)
 
     def update_view(self) -> None:
         """Update `scene_state` from the true state of the plant."""

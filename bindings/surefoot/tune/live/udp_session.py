@@ -100,7 +100,7 @@ class UdpSession:
             while self._pipe.poll():
                 self.runner_status = self._pipe.recv()
                 self._time += self.period
-                self.curves.add(self._time, self.runner_status.sample)
+                self.curves.add(self._time, self.runner_status.metrics)
         except (EOFError, OSError):
             return
         if self._active_gains != self.editor.gains:

@@ -10,7 +10,7 @@ from optuna.trial import FrozenTrial
 
 from surefoot.tune.search.settings import SearchSettings
 
-# Chosen: two steps reach the ends of the range from its middle (docs/tuning-search.md).
+# Chosen: two steps reach the ends of the range from its middle (docs/how-to/tune-with-a-search.md).
 INITIAL_SIGMA = 0.25  # initial step size of CMA-ES as a share of the logarithmic range
 # Chosen: ten generations in the default of 200 trials.
 POPULATION_SIZE = 20  # population of NSGA-II
@@ -40,7 +40,7 @@ def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
 
 def relative_cost(costs: Sequence[float], start: tuple[float, ...]) -> float:
     """Return the sum of cost / cost of the start gains over the objectives, to rank trials."""
-    return sum(cost / max(of, 1e-9) for cost, of in zip(costs, start, strict=True))
+    return sum(cost / max(start_cost, 1e-9) for cost, start_cost in zip(costs, start, strict=True))
 
 
 def rank_trials(trials: list[FrozenTrial], start: tuple[float, ...]) -> list[FrozenTrial]:

@@ -9,7 +9,7 @@ namespace surefoot {
 namespace {
 
 // Votes range from -1 (off the ground) to 1 (loaded). All values are chosen unless stated; see
-// docs/estimation.md, Contact. Tests: test_contact.cpp, benchmarks/estimation.
+// docs/explanation/estimator.md, Contact. Tests: test_contact.cpp, benchmarks/estimation.
 //
 // Two sources agree if their loads differ by less than this share of the weight. Larger than the
 // noise and the model errors of the torques, smaller than 0.25, the load of one foot.
@@ -46,9 +46,9 @@ constexpr double kMinAgreement = 0.04;
 // if two of three sources agree, because the mean vote is then 1/3.
 constexpr double kAgreementGain = 3.0;
 
-constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
-constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
-constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
+constexpr int kFootForceEstIndex = static_cast<int>(ContactSource::kFootForceEst);
+constexpr int kFootForceIndex = static_cast<int>(ContactSource::kFootForce);
+constexpr int kTauEstIndex = static_cast<int>(ContactSource::kTauEst);
 constexpr int kFootMotion = static_cast<int>(ContactSource::kFootMotion);
 
 // Return the evidence from the motion of a foot, which can only vote against contact. A foot at
@@ -70,8 +70,9 @@ bool fields_fail_together(const ContactEvidence& est, bool est_unchanged,
 
 }  // namespace
 
-void ContactConfidence::update(const Gains& gains, const ContactSignals& all, double dt) noexcept {
-  ContactSignals signals = all;
+void ContactConfidence::update(const Gains& gains, const ContactSignals& measured_signals,
+                               double dt) noexcept {
+  ContactSignals signals = measured_signals;
   const auto& f = signals.foot_force_est;
   force_check_.update(
       {(static_cast<double>(f[0]) + f[1] + f[2] + f[3]) / weight_, signals.torque_load.sum(),
@@ -80,24 +81,24 @@ void ContactConfidence::update(const Gains& gains, const ContactSignals& all, do
   if (force_check_.torques_disagree() && signals.tau_est == SensorVerdict::kGood) {
     signals.tau_est = SensorVerdict::kDisagrees;
   }
-  const bool torques = signals.tau_est == SensorVerdict::kGood;
+  const bool torques_are_good = signals.tau_est == SensorVerdict::kGood;
   for (int leg = 0; leg < kLegs; ++leg) {
     Foot& foot = feet_[leg];
-    const double load = torques ? signals.torque_load[leg] : NAN;
-    foot.evidence[kTau] = {torques ? load_vote(gains, load, 0.0, foot.loaded) : 0.0,
-                           signals.tau_est};
+    const double load = torques_are_good ? signals.torque_load[leg] : NAN;
+    foot.evidence[kTauEstIndex] = {
+        torques_are_good ? load_vote(gains, load, 0.0, foot.loaded) : 0.0, signals.tau_est};
     foot.evidence[kFootMotion] = motion_evidence(signals.speed[leg], signals.clearance[leg]);
-    const ContactEvidence& est = foot.evidence[kEst] =
+    const ContactEvidence& est = foot.evidence[kFootForceEstIndex] =
         foot_force_est_evidence(gains, signals, leg, dt);
     // The torques calibrate footForce. Without torques, footForceEst calibrates it. The calibration
     // pauses while torques and footForceEst contradict each other.
-    const bool newtons = est.verdict == SensorVerdict::kGood;
+    const bool est_is_good = est.verdict == SensorVerdict::kGood;
     const double est_load = signals.foot_force_est[leg] / weight_;
-    const double known_load = newtons && !torques ? est_load : load;
+    const double known_load = est_is_good && !torques_are_good ? est_load : load;
     const bool load_reliable =
-        !newtons || !torques || std::abs(est_load - load) < kMaxLoadDifference;
-    foot.evidence[kCount] = foot.calibration.update(gains, signals.foot_force[leg], known_load,
-                                                    load_reliable, foot.loaded, dt);
+        !est_is_good || !torques_are_good || std::abs(est_load - load) < kMaxLoadDifference;
+    foot.evidence[kFootForceIndex] = foot.calibration.update(
+        gains, signals.foot_force[leg], known_load, load_reliable, foot.loaded, dt);
     fuse_votes(gains, signals, leg, dt);
   }
 }
@@ -106,22 +107,22 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
                                                            const ContactSignals& signals, int leg,
                                                            double dt) noexcept {
   Foot& foot = feet_[leg];
-  const bool torques = signals.tau_est == SensorVerdict::kGood;
-  const double tau_load = torques ? signals.torque_load[leg] : NAN;
+  const bool torques_are_good = signals.tau_est == SensorVerdict::kGood;
+  const double tau_load = torques_are_good ? signals.torque_load[leg] : NAN;
   const double load = signals.foot_force_est[leg] / weight_;
   SensorVerdict verdict = foot.est_stuck.update(signals.foot_force_est[leg], tau_load, dt);
   // An external lift of a foot loads the leg as the ground does. So torques alone do not refute
   // footForceEst if footForce or the clearance of the foot confirms it.
-  // `far`: the limit for large loads is half of the load (chosen), because torques have scale
-  // errors. `opposite`: footForceEst shows a clear load (twice the threshold), but the torques show
-  // a pull.
-  const bool far =
+  // `loads_differ`: the limit for large loads is half of the load (chosen), because torques have
+  // scale errors. `signs_differ`: footForceEst shows a clear load (twice the threshold), but the
+  // torques show a pull.
+  const bool loads_differ =
       std::abs(load - tau_load) > std::max(kMaxLoadDifference, 0.5 * std::abs(tau_load));
-  const bool opposite = load > 2.0 * gains.contact_force_on && tau_load < 0.0;
-  const bool confirmed =
-      foot.evidence[kFootMotion].vote < -kConfirmingVote ||
-      foot.evidence[kCount].vote * (load - tau_load) > kConfirmingVote * kMaxLoadDifference;
-  const bool contradicts = (far || opposite) && !confirmed;
+  const bool signs_differ = load > 2.0 * gains.contact_force_on && tau_load < 0.0;
+  const bool confirmed = foot.evidence[kFootMotion].vote < -kConfirmingVote ||
+                         foot.evidence[kFootForceIndex].vote * (load - tau_load) >
+                             kConfirmingVote * kMaxLoadDifference;
+  const bool contradicts = (loads_differ || signs_differ) && !confirmed;
   const double step = contradicts ? dt : -kRecoveryRate * dt;
   foot.contradiction_time = std::clamp(foot.contradiction_time + step, 0.0, 2.0 * kDetectionTime);
   if (!force_check_.foot_force_est_works()) {
@@ -139,8 +140,8 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
   Foot& foot = feet_[leg];
   const double weight_tau = force_check_.torques_balance() ? kBalancedWeight : 1.0;
   const bool fail_together = fields_fail_together(
-      foot.evidence[kEst], foot.est_stuck.is_unchanged(), foot.evidence[kCount],
-      foot.calibration.is_unchanged(), foot.evidence[kTau]);
+      foot.evidence[kFootForceEstIndex], foot.est_stuck.is_unchanged(),
+      foot.evidence[kFootForceIndex], foot.calibration.is_unchanged(), foot.evidence[kTauEstIndex]);
   const double weights[kContactSources] = {fail_together ? 0.5 : 1.0, fail_together ? 0.5 : 1.0,
                                            weight_tau, kMotionWeight};
   double vote_sum = 0.0, weight_sum = 0.0, force_sum = 0.0, force_weight = 0.0;

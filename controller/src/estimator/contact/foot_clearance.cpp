@@ -35,8 +35,8 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
                            double dt) noexcept {
   // The estimated height of a falling robot drifts while its feet touch down one after the other.
   // So the stance heights follow the loaded feet until three loaded feet form a plane.
-  const bool plane = std::count(loaded.begin(), loaded.end(), true) >= 3;
-  plane_time_ = plane ? plane_time_ + dt : 0.0;
+  const bool three_feet_loaded = std::count(loaded.begin(), loaded.end(), true) >= 3;
+  plane_time_ = three_feet_loaded ? plane_time_ + dt : 0.0;
   const bool landing = plane_time_ < kLandingTime;
   Eigen::Vector4d height_change;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -49,10 +49,10 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
     if ((landing || std::isnan(stance_height_[leg])) && loaded[leg]) stance_height_[leg] = height;
     // The upper bound of the rest time is chosen so that 25 ms of motion bring the rest time below
     // kNewStanceTime (0.5 kNewStanceTime / kRestTimeDecay).
-    const bool rests = v_contact.col(leg).norm() < kRestSpeed && loaded[leg];
-    rest_time_[leg] = std::clamp(rest_time_[leg] + (rests ? dt : -kRestTimeDecay * dt), 0.0,
+    const bool at_rest = v_contact.col(leg).norm() < kRestSpeed && loaded[leg];
+    rest_time_[leg] = std::clamp(rest_time_[leg] + (at_rest ? dt : -kRestTimeDecay * dt), 0.0,
                                  1.5 * kNewStanceTime);
-    if (rests && rest_time_[leg] > kNewStanceTime)
+    if (at_rest && rest_time_[leg] > kNewStanceTime)
       stance_height_[leg] += dt / (dt + kFollowTime) * (height - stance_height_[leg]);
     height_change[leg] = std::isnan(stance_height_[leg]) ? 0.0 : height - stance_height_[leg];
   }
@@ -67,12 +67,12 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
         std::min({contact[lateral], contact[longitudinal], contact[opposite]}) > kStanceConfidence;
     const double plane_height =
         height_change[lateral] + height_change[longitudinal] - height_change[opposite];
-    const double mean = (height_change.sum() - height_change[leg]) / 3.0;
+    const double mean_change = (height_change.sum() - height_change[leg]) / 3.0;
     // The last clearance is kept while any of the three other feet does not stand.
     if (landing || std::isnan(stance_height_[leg])) {
       clearance_[leg] = 0.0;
     } else if (others_stand) {
-      clearance_[leg] = height_change[leg] - std::max(plane_height, mean);
+      clearance_[leg] = height_change[leg] - std::max(plane_height, mean_change);
     }
   }
 }

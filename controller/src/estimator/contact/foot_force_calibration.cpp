@@ -50,16 +50,16 @@ ContactEvidence FootForceCalibration::update(const Gains& gains, int count, doub
   measure_noise(c);
   ContactEvidence out;
   out.verdict = stuck_.update(count, load, dt);
-  const double by_range = load_by_range(c, dt);
+  const double range_load = load_by_range(c, dt);
   if (out.verdict != SensorVerdict::kGood) return out;
   if (std::isnan(load)) {
-    if (std::isnan(by_range)) return {0.0, SensorVerdict::kUnjudged};
-    return range_evidence(gains, by_range, loaded);
+    if (std::isnan(range_load)) return {0.0, SensorVerdict::kUnjudged};
+    return range_evidence(gains, range_load, loaded);
   }
   if (load_reliable) update_fit(c, load, dt);
   out.verdict = fit_verdict();
-  if (out.verdict == SensorVerdict::kUnjudged && !std::isnan(by_range))
-    return range_evidence(gains, by_range, loaded);
+  if (out.verdict == SensorVerdict::kUnjudged && !std::isnan(range_load))
+    return range_evidence(gains, range_load, loaded);
   if (out.verdict != SensorVerdict::kGood) return out;
   const double load_sigma = std::sqrt(noise_) / scale_;
   out.vote = load_vote(gains, (c - offset()) / scale_, 2.0 * load_sigma, loaded);
@@ -82,18 +82,18 @@ ContactEvidence FootForceCalibration::range_evidence(const Gains& gains, double 
 }
 
 void FootForceCalibration::update_fit(double count, double load, double dt) noexcept {
-  const double quick = dt / (dt + kFilterTime), blend = dt / (dt + kOffsetTime);
-  smooth_count_ += quick * (count - smooth_count_);
-  smooth_load_ += quick * (load - smooth_load_);
+  const double filter_blend = dt / (dt + kFilterTime), blend = dt / (dt + kOffsetTime);
+  smooth_count_ += filter_blend * (count - smooth_count_);
+  smooth_load_ += filter_blend * (load - smooth_load_);
   mean_count_ += blend * (smooth_count_ - mean_count_);
   mean_load_ += blend * (smooth_load_ - mean_load_);
   const double dc = smooth_count_ - mean_count_, df = smooth_load_ - mean_load_;
   if (std::abs(df) < kMinLoadChange) return;
-  const double keep = 1.0 - dt / (dt + kScaleTime);
-  fit_time_ = keep * fit_time_ + dt;
-  spread_load_ = keep * spread_load_ + dt * df * df;
-  spread_count_ = keep * spread_count_ + dt * dc * dc;
-  covariance_ = keep * covariance_ + dt * dc * df;
+  const double decay = 1.0 - dt / (dt + kScaleTime);
+  fit_time_ = decay * fit_time_ + dt;
+  spread_load_ = decay * spread_load_ + dt * df * df;
+  spread_count_ = decay * spread_count_ + dt * dc * dc;
+  covariance_ = decay * covariance_ + dt * dc * df;
   scale_ = std::max(covariance_ / spread_load_, 0.0);
 }
 

@@ -31,22 +31,25 @@ void ForceSourceCheck::update(const ForceSums& sums, double dt) noexcept {
   const double load_factor = std::max(sums.load_factor, kSupportedShare);
   torques_balance_ =
       std::abs(sums.torque - std::max(sums.load_factor, 0.0)) < kBalanceTolerance * load_factor;
-  const bool est_matches = std::abs(sums.est - load_factor) < kBalanceTolerance * load_factor;
-  const bool torques_miss = sums.torques && est_matches &&
+  const bool est_matches =
+      std::abs(sums.foot_force_est - load_factor) < kBalanceTolerance * load_factor;
+  const bool torques_miss = sums.has_torques && est_matches &&
                             std::abs(sums.torque - load_factor) > kTorqueErrorShare * load_factor;
   torque_error_time_ =
       std::clamp(torque_error_time_ + (torques_miss ? dt : -dt), 0.0, kDetectionTime);
   if (torque_error_time_ >= kDetectionTime) torques_wrong_ = true;
   if (torque_error_time_ <= 0.0) torques_wrong_ = false;
 
-  const bool torques = sums.torques && !torques_wrong_;
-  const bool supported = torques ? sums.torque > kSupportedShare : sums.est < kMaxLoad;
-  const bool contradicted = foot_force_est_alive_
-                                ? torques && supported && !torques_miss && sums.est < kUnloadedShare
-                                : supported && sums.est > kSupportedShare;
+  const bool has_torques = sums.has_torques && !torques_wrong_;
+  const bool supported =
+      has_torques ? sums.torque > kSupportedShare : sums.foot_force_est < kMaxLoad;
+  const bool contradicted =
+      foot_force_est_works_
+          ? has_torques && supported && !torques_miss && sums.foot_force_est < kUnloadedShare
+          : supported && sums.foot_force_est > kSupportedShare;
   est_contradiction_time_ = contradicted ? est_contradiction_time_ + dt : 0.0;
   if (est_contradiction_time_ > kSwitchTime) {
-    foot_force_est_alive_ = !foot_force_est_alive_;
+    foot_force_est_works_ = !foot_force_est_works_;
     est_contradiction_time_ = 0.0;
   }
 }

@@ -7,11 +7,11 @@ namespace surefoot {
 
 /// Sums of the loads of all feet, as shares of the weight.
 struct ForceSums {
-  double est = 0.0;     ///< sum of footForceEst
-  double torque = 0.0;  ///< sum of the normal forces computed from the joint torques
+  double foot_force_est = 0.0;  ///< sum of footForceEst
+  double torque = 0.0;          ///< sum of the normal forces computed from the joint torques
   /// Vertical specific force / g; the expected sum for a robot on its feet.
   double load_factor = 1.0;
-  bool torques = true;  ///< true if torques are available
+  bool has_torques = true;  ///< true if torques are available
 };
 
 /// Compares the load sums of footForceEst and of the torques with each other and with the
@@ -26,14 +26,14 @@ class ForceSourceCheck {
   /// Process one tick.
   void update(const ForceSums& sums, double dt) noexcept;
 
-  bool foot_force_est_works() const noexcept { return foot_force_est_alive_; }
+  bool foot_force_est_works() const noexcept { return foot_force_est_works_; }
   bool torques_disagree() const noexcept { return torques_wrong_; }
   /// Return whether the torques match the accelerometer in this tick.
   bool torques_balance() const noexcept { return torques_balance_; }
 
  private:
-  bool foot_force_est_alive_ = false, torques_wrong_ = false, torques_balance_ = false;
-  // [s] Time for which the sums have contradicted foot_force_est_alive_.
+  bool foot_force_est_works_ = false, torques_wrong_ = false, torques_balance_ = false;
+  // [s] Time for which the sums have contradicted foot_force_est_works_.
   double est_contradiction_time_ = 0.0;
   double torque_error_time_ = 0.0;  // [s] rises while the torques are wrong, falls otherwise
 };

@@ -29,11 +29,11 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
   const double blend = started_ ? dt / (dt + kFilterTime) : 1.0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
-    const Vector3 unfiltered =
+    const Vector3 unfiltered_residual =
         tau_est.segment<3>(3 * leg) - L.h_leg - L.M_base_leg.transpose() * base;
     auto residual = residual_.segment<3>(3 * leg);
     auto dq_filtered = dq_filtered_.segment<3>(3 * leg);
-    residual += blend * (unfiltered - residual);
+    residual += blend * (unfiltered_residual - residual);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
     Vector3 tau_contact = L.M_leg * ddq - residual;  // equals J^T f plus the torques of the stops

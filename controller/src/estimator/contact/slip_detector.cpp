@@ -7,7 +7,7 @@
 namespace surefoot {
 
 namespace {
-// All values are chosen; see docs/estimation.md, Slip. Test: test_contact.cpp.
+// All values are chosen; see docs/explanation/estimator.md, Slip. Test: test_contact.cpp.
 // [s] Time constant of the low-pass of the velocities. If smaller: the velocities contain the
 // encoder noise. Shorter than kDetectionTime.
 constexpr double kFilterTime = 0.01;
@@ -34,15 +34,17 @@ void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
     stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;
   }
-  double slowest = std::numeric_limits<double>::infinity();
+  double min_loaded_speed = std::numeric_limits<double>::infinity();
   for (int leg = 0; leg < kLegs; ++leg) {
     speed_[leg] = v_filtered_.col(leg).norm();
-    if (contact[leg] > kLoadedConfidence) slowest = std::min(slowest, speed_[leg]);
+    if (contact[leg] > kLoadedConfidence)
+      min_loaded_speed = std::min(min_loaded_speed, speed_[leg]);
   }
   for (int leg = 0; leg < kLegs; ++leg) {
-    excess_speed_[leg] = std::max(speed_[leg] - slowest, 0.0);
-    const bool slips = stance_time_[leg] > kSettlingTime && excess_speed_[leg] > gains.slip_speed;
-    const double step = slips ? dt / kDetectionTime : -dt / kRecoveryTime;
+    excess_speed_[leg] = std::max(speed_[leg] - min_loaded_speed, 0.0);
+    const bool is_slipping =
+        stance_time_[leg] > kSettlingTime && excess_speed_[leg] > gains.slip_speed;
+    const double step = is_slipping ? dt / kDetectionTime : -dt / kRecoveryTime;
     slip_[leg] = std::clamp(slip_[leg] + step, 0.0, 1.0);
   }
 }

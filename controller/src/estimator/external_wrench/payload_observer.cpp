@@ -11,7 +11,7 @@ namespace {
 // velocity noise of a standing robot, and smaller than the velocity after a push.
 constexpr double kRestSpeed = 0.1;
 // [m] Largest moment of the estimate, divided by its largest force. Chosen: a payload within 0.1 m
-// of the centre of mass (docs/estimation.md, payload_max).
+// of the centre of mass (docs/explanation/estimator.md, payload_max).
 constexpr double kMaxLever = 0.1;
 
 Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
@@ -26,7 +26,7 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   const Vector3 linear = mass_ * dynamics.v_world_com();
   const Vector3& angular = dynamics.L_world_com();
   if (!supported) {
-    freeze_estimate(gains, linear, angular);
+    reset_momentum(gains, linear, angular);
     return;
   }
   Vector3 moment = Vector3::Zero();
@@ -42,7 +42,7 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
       force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
       moment_ = limit_norm(-moment, kMaxLever * max_force);
     }
-    freeze_estimate(gains, linear, angular);
+    reset_momentum(gains, linear, angular);
     started_ = true;
     return;
   }
@@ -50,14 +50,14 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   angular_momentum_ += dt * (moment + moment_);
   force_ = limit_norm((linear - linear_momentum_) / gains.payload_time, max_force);
   moment_ = limit_norm((angular - angular_momentum_) / gains.payload_time, kMaxLever * max_force);
-  freeze_estimate(gains, linear, angular);
+  reset_momentum(gains, linear, angular);
 }
 
 // Set the integrated momentum to the value for which the estimate, at the present momentum, is the
 // present wrench. This prevents wind-up at the bounds, and a transient after a time without
 // support.
-void PayloadObserver::freeze_estimate(const Gains& gains, const Vector3& linear,
-                                      const Vector3& angular) noexcept {
+void PayloadObserver::reset_momentum(const Gains& gains, const Vector3& linear,
+                                     const Vector3& angular) noexcept {
   linear_momentum_ = linear - gains.payload_time * force_;
   angular_momentum_ = angular - gains.payload_time * moment_;
 }

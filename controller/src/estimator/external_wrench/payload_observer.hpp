@@ -42,7 +42,7 @@ class PayloadObserver {
   void reset() noexcept { *this = PayloadObserver(mass_); }
 
  private:
-  void freeze_estimate(const Gains& gains, const Vector3& linear, const Vector3& angular) noexcept;
+  void reset_momentum(const Gains& gains, const Vector3& linear, const Vector3& angular) noexcept;
 
   double mass_;
   bool started_ = false;

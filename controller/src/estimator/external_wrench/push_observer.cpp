@@ -32,9 +32,9 @@ constexpr double kInnovationTimeDecay = 0.05;
 void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool supported,
                           double dt) noexcept {
   const Vector3 innovation = unexplained - filtered_;
-  const double time =
+  const double time_constant =
       gains.push_time * time_scale(gains, innovation.head<2>().norm(), supported, dt);
-  filtered_.head<2>() += dt / (dt + time) * innovation.head<2>();
+  filtered_.head<2>() += dt / (dt + time_constant) * innovation.head<2>();
   filtered_.z() += dt / (dt + gains.push_time) * innovation.z();
 }
 

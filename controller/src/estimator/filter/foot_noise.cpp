@@ -34,12 +34,12 @@ void FootNoise::update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predic
     if (!stance[leg]) continue;
     // If the predicted variance is much larger than the measurement noise, innovations contain
     // little information about this noise.
-    const double share = variance_[leg] / (variance_[leg] + predicted_variance[leg]);
+    const double measurement_share = variance_[leg] / (variance_[leg] + predicted_variance[leg]);
     const double excess = std::min(nis[leg] / 3.0, kMaxNisRatio) - 1.0;
     const double growth =
-        std::clamp(dt / kTimeConstant * share * excess, -kMaxLogChange, kMaxLogChange);
-    const double changed = variance_[leg] * std::exp(growth);
-    variance_[leg] = std::clamp(changed, kMinSigma * kMinSigma, kMaxSigma * kMaxSigma);
+        std::clamp(dt / kTimeConstant * measurement_share * excess, -kMaxLogChange, kMaxLogChange);
+    const double new_variance = variance_[leg] * std::exp(growth);
+    variance_[leg] = std::clamp(new_variance, kMinSigma * kMinSigma, kMaxSigma * kMaxSigma);
   }
 }
 

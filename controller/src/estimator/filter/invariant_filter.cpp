@@ -32,10 +32,10 @@ double square(double x) noexcept { return x * x; }
 // stationary standard deviation. At rest a horizontal bias cannot be distinguished from a tilt. If
 // the bias were a pure random walk, bias and tilt would drift together for ever.
 void discretise_accelerometer_bias(const Gains& gains, ErrorPropagation& motion) noexcept {
-  const double start = square(gains.start_accelerometer_bias);
-  const double rate = 0.5 * square(gains.accelerometer_drift) / start;
+  const double stationary_variance = square(gains.start_accelerometer_bias);
+  const double rate = 0.5 * square(gains.accelerometer_drift) / stationary_variance;
   motion.accelerometer_bias_decay = std::exp(-motion.dt * rate);
-  motion.accelerometer_drift_variance = -start * std::expm1(-2.0 * motion.dt * rate);
+  motion.accelerometer_drift_variance = -stationary_variance * std::expm1(-2.0 * motion.dt * rate);
 }
 
 }  // namespace
@@ -61,11 +61,13 @@ void InvariantFilter::reset_covariance(const InitialSigmas& sigmas) noexcept {
 }
 
 bool InvariantFilter::is_plausible() const noexcept {
-  const bool values = v_.norm() < kMaxSpeed && gyroscope_bias_.norm() < kMaxGyroscopeBias &&
-                      accelerometer_bias_.norm() < kMaxAccelerometerBias;
-  bool variances = true;  // NaN fails every comparison
-  for (int k = 0; k < kSize; ++k) variances = variances && P_(k, k) > -kVarianceTolerance;
-  return values && variances;
+  const bool values_plausible = v_.norm() < kMaxSpeed &&
+                                gyroscope_bias_.norm() < kMaxGyroscopeBias &&
+                                accelerometer_bias_.norm() < kMaxAccelerometerBias;
+  bool variances_plausible = true;  // NaN fails every comparison
+  for (int k = 0; k < kSize; ++k)
+    variances_plausible = variances_plausible && P_(k, k) > -kVarianceTolerance;
+  return values_plausible && variances_plausible;
 }
 
 // Choose the attitude at which the effect of the biases on the error is linearised. The filter
@@ -88,8 +90,9 @@ void InvariantFilter::relinearise() noexcept {
 // has their noise: if the filter linearised at each new lever, the bias of a standing robot would
 // drift by 0.016 m/s^2 per hour.
 void InvariantFilter::relinearise(const Vector3& lever) noexcept {
-  const double most = square(kRelinearisationAngle) * lever.squaredNorm();
-  if ((lever - lever_linearisation_).squaredNorm() > most) lever_linearisation_ = lever;
+  const double max_squared_change = square(kRelinearisationAngle) * lever.squaredNorm();
+  if ((lever - lever_linearisation_).squaredNorm() > max_squared_change)
+    lever_linearisation_ = lever;
 }
 
 void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,

@@ -110,7 +110,7 @@ class InvariantFilter {
  private:
   // Innovation above which a foot is rejected, in units of gate_foot. Between 1 and this value the
   // foot only gets less weight. Chosen: the filter must still use a foot that slips slowly, but not
-  // a foot whose innovation is 20 standard deviations (docs/estimation.md).
+  // a foot whose innovation is 20 standard deviations (docs/explanation/estimator.md).
   static constexpr double kRejectionRatio = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,

@@ -32,7 +32,7 @@ constexpr double kMaxQuaternionRate = 35.0;
 // The gyroscope is rejected if both of these conditions hold:
 // [rad/s] 1. The rates of gyroscope and legs differ by more than this. Chosen at least five times
 // kLegRateNoise, and smaller than 3 rad/s: an error of 3 rad/s for 0.1 s made a go1 fall
-// (docs/estimation.md).
+// (docs/explanation/estimator.md).
 constexpr double kMinContradiction = 1.0;
 // 2. The rates of quaternion and legs differ by less than this share of the difference in
 // condition 1. Chosen: the quaternion is then closer to the legs than to the gyroscope; test
@@ -169,9 +169,9 @@ bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
     normal_matrix += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
     moment += arm.cross(dynamics.legs()[leg].v_world_contact - v_mean);
   }
-  const Vector3 excess = normal_matrix.inverse() * moment;
-  if (!excess.allFinite()) return false;
-  w_base = dynamics.R_world_base().transpose() * (dynamics.w_world_base() - excess);
+  const Vector3 rate_error = normal_matrix.inverse() * moment;
+  if (!rate_error.allFinite()) return false;
+  w_base = dynamics.R_world_base().transpose() * (dynamics.w_world_base() - rate_error);
   return true;
 }
 

@@ -50,7 +50,8 @@ class NoiseEstimator {
   // count as this limit. Derived: the square of five standard deviations.
   static constexpr double kOutlierRatio = 25.0;
   // Bounds of the estimate, as multiples of the initial sigma. Chosen: the noise of no real sensor
-  // is further from the gains noise_gyroscope and noise_accelerometer (docs/estimation.md).
+  // is further from the gains noise_gyroscope and noise_accelerometer
+  // (docs/explanation/estimator.md).
   static constexpr double kMinRatio = 0.25;
   static constexpr double kMaxRatio = 10.0;
   static constexpr int kMaxCount = 1 << 20;  // avoids overflow; `blend` is constant long before

@@ -18,7 +18,7 @@ namespace {
 // samples; 4 % is rejected.
 constexpr double kMaxLoss = 0.01;
 // [s] Time constant of the mean of this share. Equal to the default of arming_time.
-constexpr double kWindow = 1.0;
+constexpr double kLossTime = 1.0;
 // Error of a quaternion's norm from which the check fails. Larger than the rounding of a float
 // (1e-7); 1 % is rejected.
 constexpr double kQuaternionTolerance = 1e-3;
@@ -29,7 +29,7 @@ constexpr double kMaxTurnRate = 0.05;
 constexpr double kGravityTolerance = 0.05;
 // [s] Time constant of the low-pass of the IMU. Longer than the sample period, and shorter than the
 // 0.5 s within which a fault must be rejected.
-constexpr double kSmoothing = 0.1;
+constexpr double kImuFilterTime = 0.1;
 // [rad] 10 degrees: angle between attitude and accelerometer from which the check fails. Twice the
 // error of the vendors' filters (up to 5 degrees).
 constexpr double kMaxAttitudeError = 0.1745;
@@ -78,9 +78,9 @@ void ArmingChecks::add_link_counts(double received, double missing) noexcept {
 }
 
 void ArmingChecks::count_link(double step) noexcept {
-  const double fade = std::exp(-step / kWindow);
-  received_ *= fade;
-  missing_ *= fade;
+  const double decay = std::exp(-step / kLossTime);
+  received_ *= decay;
+  missing_ *= decay;
   if (!has_link_counts_) {
     // period_ estimates the period of the link. A shorter step lowers it at once. For a slower link
     // it grows by 0.1 % per sample (chosen: a factor of e in 1000 samples).
@@ -92,12 +92,13 @@ void ArmingChecks::count_link(double step) noexcept {
 }
 
 void ArmingChecks::check_motors(const LowState& state) noexcept {
-  ArmingCheck &mode = at(ArmingCheckId::kMotorMode), &heat = at(ArmingCheckId::kTemperature);
+  ArmingCheck &mode = at(ArmingCheckId::kMotorMode),
+              &temperature_check = at(ArmingCheckId::kTemperature);
   mode = {};
   mode.passed = true;
   mode.limit = kModeServo;
-  heat = {};
-  heat.value = -300.0;  // [deg C] lower than any temperature
+  temperature_check = {};
+  temperature_check.value = -300.0;  // [deg C] lower than any temperature
   for (int i = 0; i < kMotors; ++i) {
     const MotorState& motor = state.motorState[i];
     if (motor.mode != kModeServo && mode.passed) {
@@ -105,18 +106,18 @@ void ArmingChecks::check_motors(const LowState& state) noexcept {
       mode.value = motor.mode;
       mode.motor = i;
     }
-    if (motor.temperature > heat.value) {
-      heat.motor = i;
-      heat.value = motor.temperature;
+    if (motor.temperature > temperature_check.value) {
+      temperature_check.motor = i;
+      temperature_check.value = motor.temperature;
     }
   }
-  check_below(heat, heat.value, limits_.temperature);
+  check_below(temperature_check, temperature_check.value, limits_.temperature);
 }
 
 void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
   const std::array<float, 4> q = state.imu.quaternion;  // the field is packed, so it is copied
   const std::array<float, 3> w = state.imu.gyroscope, a = state.imu.accelerometer;
-  const double share = started_ ? -std::expm1(-step / kSmoothing) : 1.0;
+  const double share = started_ ? -std::expm1(-step / kImuFilterTime) : 1.0;
   started_ = true;
   const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
   // Restart the low-pass after a NaN, because it would keep the NaN for ever.

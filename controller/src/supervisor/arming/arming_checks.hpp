@@ -63,10 +63,11 @@ class ArmingChecks {
   Robot robot_;
   ArmingLimits limits_;
   ArmingReport report_;
-  Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // low-passed with kSmoothing
+  Vector3 gyro_ = Vector3::Zero(),
+          accelerometer_ = Vector3::Zero();  // low-passed with kImuFilterTime
   bool started_ = false;
   double period_ = 0.0;                    // [s] estimated period of the samples, see count_link()
-  double received_ = 0.0, missing_ = 0.0;  // numbers of samples, decaying with kWindow
+  double received_ = 0.0, missing_ = 0.0;  // numbers of samples, decaying with kLossTime
   bool has_link_counts_ = false;           // set by add_link_counts()
 };
 

@@ -60,17 +60,17 @@ void ArmingChecks::check_order(const LowState& state) noexcept {
     if (outside(i, i) < std::min(slack, kSwapMargin)) continue;
     const int leg = i - i % kLegJoints;
     double best = slack;
-    int other = -1;
+    int partner = -1;
     for (int k = leg; k < leg + kLegJoints; ++k) {
-      const double fit = std::max(outside(i, k), outside(k, i));
-      if (k == i || !(fit < best)) continue;  // NaN never fits
-      best = fit;
-      other = k;
+      const double worst_outside = std::max(outside(i, k), outside(k, i));
+      if (k == i || !(worst_outside < best)) continue;  // NaN never fits
+      best = worst_outside;
+      partner = k;
     }
-    if (other < 0 && outside(i, i) < kSwapMargin) continue;
+    if (partner < 0 && outside(i, i) < kSwapMargin) continue;
     check.passed = false;
     check.motor = i;
-    check.swapped_with = other;
+    check.swapped_with = partner;
     check.value = outside(i, i);
     return;
   }
@@ -78,14 +78,14 @@ void ArmingChecks::check_order(const LowState& state) noexcept {
 
 void ArmingChecks::check_feet(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
-  double total = 0.0, off = 0.0;
+  double total = 0.0, max_error = 0.0;
   for (int i = 0; i < kLegs; ++i) total += state.footForceEst[i];
   for (int i = 0; i < kMotors; ++i) {
-    off = std::max(off, std::abs(state.motorState[i].q - config.q_standing[i]));
+    max_error = std::max(max_error, std::abs(state.motorState[i].q - config.q_standing[i]));
   }
   ArmingCheck& check = at(ArmingCheckId::kFootForce);
   check_below(check, std::abs(total / (robot_.mass() * kGravity) - 1.0), kFootForceTolerance);
-  check.applies = off < kStandingTolerance && total != 0.0;
+  check.applies = max_error < kStandingTolerance && total != 0.0;
 }
 
 }  // namespace surefoot

@@ -20,8 +20,8 @@ class Alternation {
     const double change = started_ ? value - value_ : 0.0;
     const double product = -change * change_;
     // Count only alternations that are about as large as the mean, not the noise between them.
-    const bool counts = product > std::max(0.5 * mean_, min_change * min_change);
-    frequency_ += share * ((counts ? 1.0 : 0.0) - frequency_);
+    const bool is_large = product > std::max(0.5 * mean_, min_change * min_change);
+    frequency_ += share * ((is_large ? 1.0 : 0.0) - frequency_);
     mean_ += share * (product - mean_);
     value_ = value;
     change_ = change;

@@ -28,7 +28,7 @@ class ClockMonitor {
   /// [rad] A joint counts as moving if its displacement in a window (sum of dq times step) is at
   /// least this. 18 standard deviations of the simulated encoder noise (0.05 rad/s, 30 samples of
   /// 2 ms).
-  static constexpr double kMinTravel = 0.01;
+  static constexpr double kMinDisplacement = 0.01;
   /// Ratio below which the clock is too fast: between a correct clock (1) and twice the rate (0.5).
   static constexpr double kFastRatio = 0.7;
   /// Ratio below which dq is wrong and not the clock.
@@ -36,7 +36,7 @@ class ClockMonitor {
   /// Number of moving joints that a verdict needs: one more than a leg has.
   static constexpr int kMinJoints = 4;
   /// Share of the moving joints whose ratio must show a fast clock.
-  static constexpr double kMinLateShare = 0.75;
+  static constexpr double kMinFastShare = 0.75;
   /// [rad/s] Change of dq between two samples above which an impact or a sensor error is assumed.
   /// The joint is then not counted in this window. Smaller than the wrong samples of 5 rad/s in the
   /// row power_trip of `surefoot faults`.
@@ -49,42 +49,42 @@ class ClockMonitor {
     for (int i = 0; i < kMotors; ++i) {
       q[i] = state.motorState[i].q;
       const double dq = state.motorState[i].dq;
-      travel_[i] += dq * step;
-      jolted_[i] = jolted_[i] || std::abs(dq - dq_[i]) > kMaxSpeedStep;
+      displacement_[i] += dq * step;
+      jumped_[i] = jumped_[i] || std::abs(dq - dq_[i]) > kMaxSpeedStep;
       dq_[i] = dq;
     }
     if (started_ && time_ < kWindow) return;
     if (started_) judge((q - q_start_).eval());
     q_start_ = q;
-    travel_.setZero();
-    jolted_ = {};
+    displacement_.setZero();
+    jumped_ = {};
     time_ = 0.0;
     started_ = true;
   }
   /// Return whether the clock was too fast in the last kWindows windows.
-  bool fast() const noexcept { return late_windows_ >= kWindows; }
+  bool fast() const noexcept { return fast_windows_ >= kWindows; }
 
  private:
   void judge(const Vector12& angle_change) noexcept {
-    int moving = 0, late = 0;
+    int moving = 0, fast_joints = 0;
     for (int i = 0; i < kMotors; ++i) {
-      if (std::abs(travel_[i]) < kMinTravel || jolted_[i]) continue;
-      const double share = angle_change[i] / travel_[i];
+      if (std::abs(displacement_[i]) < kMinDisplacement || jumped_[i]) continue;
+      const double ratio = angle_change[i] / displacement_[i];
       ++moving;
-      late += share > kUnrelatedRatio && share < kFastRatio;
+      fast_joints += ratio > kUnrelatedRatio && ratio < kFastRatio;
     }
     // Too few joints move for a verdict: keep the last verdict.
     if (moving < kMinJoints) return;
-    late_windows_ = late >= kMinLateShare * moving ? late_windows_ + 1 : 0;
+    fast_windows_ = fast_joints >= kMinFastShare * moving ? fast_windows_ + 1 : 0;
   }
 
-  // [rad] q_start_: q at the start of the window. travel_: displacement since then, computed from
-  // dq.
-  Vector12 q_start_ = Vector12::Zero(), travel_ = Vector12::Zero();
+  // [rad] q_start_: q at the start of the window. displacement_: displacement since then, computed
+  // from dq.
+  Vector12 q_start_ = Vector12::Zero(), displacement_ = Vector12::Zero();
   Vector12 dq_ = Vector12::Zero();         // [rad/s] velocities of the last sample
-  std::array<bool, kMotors> jolted_ = {};  // true for each joint whose dq jumped in this window
+  std::array<bool, kMotors> jumped_ = {};  // true for each joint whose dq jumped in this window
   double time_ = 0.0;                      // [s] time since the start of the window
-  int late_windows_ = 0;                   // number of consecutive windows with a fast clock
+  int fast_windows_ = 0;                   // number of consecutive windows with a fast clock
   bool started_ = false;
 };
 

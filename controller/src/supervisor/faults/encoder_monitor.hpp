@@ -20,7 +20,7 @@ class EncoderMonitor {
   static constexpr double kMinSpeed = 0.1;
   /// [rad] Displacement, by the repeated velocity, from which the repetition is a fault: 50 ms at
   /// 0.2 rad/s. So the 60 ms of fault_table() are valid from this velocity on.
-  static constexpr double kMinTravel = 0.01;
+  static constexpr double kMinDisplacement = 0.01;
   /// Number of samples in which another leg must have changed: 10 ms at 500 Hz. Larger than the
   /// number of repetitions by chance.
   static constexpr int kMinSamples = 5;
@@ -41,7 +41,7 @@ class EncoderMonitor {
       record.time = unchanged[leg] ? record.time + step : 0.0;
       record.other_changes = unchanged[leg] ? record.other_changes + (unchanged_legs < kLegs) : 0;
       const double speed = record.dq.cwiseAbs().maxCoeff();
-      if (speed < kMinSpeed || speed * record.time < kMinTravel ||
+      if (speed < kMinSpeed || speed * record.time < kMinDisplacement ||
           record.other_changes < kMinSamples)
         continue;
       if (motor_ < 0 && leg != lost_leg) motor_ = kLegJoints * leg + fastest(record.dq);

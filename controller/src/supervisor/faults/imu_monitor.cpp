@@ -27,7 +27,7 @@ constexpr double kReacceptTime = 0.5;
 constexpr double kMaxRateJump = 3.0;
 // [s] Time for which a signal must be bad before it is a fault. Longer than 18 ms, for which an IMU
 // that is read at 50 Hz repeats its values.
-constexpr double kHeldTime = 0.05;
+constexpr double kMinBadTime = 0.05;
 // [rad/s] Mean difference between gyroscope and rate of the attitude above which the gyroscope is
 // wrong: 0.02 passes, 0.1 is a fault within 1 s.
 constexpr double kMaxRateError = 0.08;
@@ -51,14 +51,14 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
   const double angle = w.norm() * step;
   if (angle > 0.0) R_ = R_ * Quaternion(Eigen::AngleAxisd(angle, w.normalized()));
   rejected_time_ += step;
-  const bool before = attitude_plausible_;
+  const bool was_plausible = attitude_plausible_;
   attitude_plausible_ = has_unit_quaternion(imu);
   if (attitude_plausible_) {
     const Quaternion attitude = Quaternion(q[0], q[1], q[2], q[3]).normalized();
-    const Eigen::AngleAxisd turned(last_attitude_.conjugate() * attitude);
+    const Eigen::AngleAxisd rotation(last_attitude_.conjugate() * attitude);
     // The rate of the attitude needs two plausible attitudes; across a jump it has no meaning.
-    const bool timed = started_ && before && step > 0.0;
-    const Vector3 w_attitude = timed ? Vector3(turned.angle() / step * turned.axis()) : w;
+    const bool rate_known = started_ && was_plausible && step > 0.0;
+    const Vector3 w_attitude = rate_known ? Vector3(rotation.angle() / step * rotation.axis()) : w;
     last_attitude_ = attitude;
     attitude_plausible_ =
         !started_ || rejected_time_ >= kReacceptTime || is_consistent(attitude, w);
@@ -87,17 +87,17 @@ bool ImuMonitor::is_consistent(const Quaternion& attitude, const Vector3& w) con
 void ImuMonitor::judge_rates(const Vector3& w, double step, bool changed,
                              double max_error) noexcept {
   // If the whole sample repeats, the gyroscope has no fault, so the time is not counted.
-  const bool held = gyroscope_held_.update(w == w_last_, changed ? step : 0.0, kHeldTime);
-  const bool clipped =
-      gyroscope_clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kHeldTime);
+  const bool repeated = gyroscope_held_.update(w == w_last_, changed ? step : 0.0, kMinBadTime);
+  const bool clipped = gyroscope_clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange,
+                                                 step, kMinBadTime);
   const bool inconsistent =
-      rate_inconsistent_.update(rate_error_.norm() > max_error, step, kHeldTime);
-  gyroscope_bad_ = held || clipped || inconsistent;
+      rate_inconsistent_.update(rate_error_.norm() > max_error, step, kMinBadTime);
+  gyroscope_bad_ = repeated || clipped || inconsistent;
   w_last_ = w;
 }
 
 void ImuMonitor::judge_accelerometer(const Vector3& a, double step, bool changed) noexcept {
-  accelerometer_bad_ = accelerometer_held_.update(a == a_last_, changed ? step : 0.0, kHeldTime);
+  accelerometer_bad_ = accelerometer_held_.update(a == a_last_, changed ? step : 0.0, kMinBadTime);
   a_last_ = a;
 }
 

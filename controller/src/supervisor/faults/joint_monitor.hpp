@@ -7,7 +7,7 @@
 namespace surefoot {
 
 /// Compares the change of each joint angle with the joint's velocity, and rejects angles that jump:
-///   |q - q_last - dq t| - kTravelTolerance |dq t| >= kMaxJump,   t: time since q_last
+///   |q - q_last - dq t| - kDisplacementTolerance |dq t| >= kMaxJump,   t: time since q_last
 /// Real-time: yes.
 class JointMonitor {
  public:
@@ -18,7 +18,7 @@ class JointMonitor {
   static constexpr double kMaxJump = 0.08;
   /// Tolerance for velocities that are delayed, noisy or change within the step, as a share of the
   /// displacement that the velocity explains.
-  static constexpr double kTravelTolerance = 0.5;
+  static constexpr double kDisplacementTolerance = 0.5;
   /// [s] Any angles are accepted after angles have been rejected for this time. Same as in
   /// ImuMonitor.
   static constexpr double kReacceptTime = 0.5;
@@ -28,12 +28,13 @@ class JointMonitor {
   /// @param lost_leg leg that is not checked, or -1
   bool update(const LowState& state, double step, int lost_leg) noexcept {
     age_ += step;
-    Vector12 q, travel;
+    Vector12 q, displacement;
     for (int i = 0; i < kMotors; ++i) {
       q[i] = state.motorState[i].q;
-      travel[i] = state.motorState[i].dq * age_;
+      displacement[i] = state.motorState[i].dq * age_;
     }
-    Vector12 error = (q - q_ - travel).cwiseAbs() - kTravelTolerance * travel.cwiseAbs();
+    Vector12 error =
+        (q - q_ - displacement).cwiseAbs() - kDisplacementTolerance * displacement.cwiseAbs();
     if (lost_leg >= 0) error.segment<kLegJoints>(kLegJoints * lost_leg).setZero();
     if (started_ && age_ < kReacceptTime && !(error.array() < kMaxJump).all()) return false;
     q_ = q;

@@ -21,16 +21,16 @@ constexpr int kBadAngles = 3;
 // [s] Time constant of the mean torques. Longer than a motor's delay (two periods) and lag (2 ms).
 // Shorter than the 0.15 s of fault_table().
 constexpr double kTorqueTime = 0.03;
-// Tolerance of a torque error: kTorqueOff tau_max + kTorqueOffShare |command|. Larger than torque
-// errors of 5 %, a delay of 20 ms, and a tauEst of 0 in one sample of ten. Smaller than the error
-// of a dead motor.
-constexpr double kTorqueOff = 0.12;
-constexpr double kTorqueOffShare = 0.4;
+// Tolerance of a torque error: kTorqueTolerance tau_max + kTorqueToleranceShare |command|. Larger
+// than torque errors of 5 %, a delay of 20 ms, and a tauEst of 0 in one sample of ten. Smaller than
+// the error of a dead motor.
+constexpr double kTorqueTolerance = 0.12;
+constexpr double kTorqueToleranceShare = 0.4;
 // Limit of the error in one sample, as a multiple of the tolerance.
 constexpr double kErrorClamp = 2.0;
 // A motor is idle if its torque is below kIdleTorqueShare of the command, and the command is above
 // kMinCommandShare of tau_max. A motor that is idle in kMinIdleShare of the samples is weak. This
-// finds a dead motor that still reports servo mode, see docs/faults.md.
+// finds a dead motor that still reports servo mode, see docs/reference/fault-injection.md.
 constexpr double kIdleTorqueShare = 0.3;
 constexpr double kMinCommandShare = 0.05;
 constexpr double kMinIdleShare = 0.8;
@@ -101,28 +101,29 @@ void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log
 void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
                                 FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
-  const int disturbed = count_alternating_legs(state, dt, lost_leg);
+  const int alternating_legs = count_alternating_legs(state, dt, lost_leg);
   int weak = -1, legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
     if (i / kLegJoints == lost_leg) continue;
     expected_[i] += share * (commanded_[i] - expected_[i]);
     const double tau_est = state.motorState[i].tauEst, tau_max = robot_.config().tau_max[i];
-    const double allowed = kTorqueOff * tau_max + kTorqueOffShare * std::abs(expected_[i]);
+    const double allowed =
+        kTorqueTolerance * tau_max + kTorqueToleranceShare * std::abs(expected_[i]);
     // The limit prevents a few wrong samples from dominating the mean.
-    const double off_by =
+    const double limited_error =
         std::clamp(tau_est - expected_[i], -kErrorClamp * allowed, kErrorClamp * allowed);
-    measured_[i] += share * (expected_[i] + off_by - measured_[i]);
+    measured_[i] += share * (expected_[i] + limited_error - measured_[i]);
     // In a lightly loaded leg the error of a dead motor is within the tolerance. So idle samples
     // count too.
     idle_share_[i] += share * (is_idle(expected_[i], tau_est, tau_max) - idle_share_[i]);
-    const bool off =
+    const bool deviates =
         std::abs(measured_[i] - expected_[i]) > allowed || idle_share_[i] > kMinIdleShare;
-    if (!deviating_[i].update(off, dt, kWeakTime)) continue;
+    if (!deviating_[i].update(deviates, dt, kWeakTime)) continue;
     if (weak < 0) weak = i;
     if (i / kLegJoints != last_leg) ++legs;
     last_leg = i / kLegJoints;
   }
-  log.set(FaultId::kOverridden, legs > 1 || disturbed > 1, weak);
+  log.set(FaultId::kOverridden, legs > 1 || alternating_legs > 1, weak);
   log.set(FaultId::kMotorWeak, legs == 1, weak);
 }
 
@@ -134,12 +135,13 @@ int MotorFaults::count_alternating_legs(const LowState& state, double dt, int lo
   for (int i = 0; i < kMotors; ++i) {
     if (i / kLegJoints == lost_leg) continue;
     const double commanded = commanded_alternation_[i].update(commanded_[i], share);
-    const double least = kMinAlternation * robot_.config().tau_max[i];
+    const double min_amplitude = kMinAlternation * robot_.config().tau_max[i];
     const double measured =
-        measured_alternation_[i].update(state.motorState[i].tauEst, share, least);
-    const bool off = measured > least * least + kAlternationRatio * std::max(commanded, 0.0) &&
-                     measured_alternation_[i].is_frequent();
-    if (!off || i / kLegJoints == last_leg) continue;
+        measured_alternation_[i].update(state.motorState[i].tauEst, share, min_amplitude);
+    const bool deviates =
+        measured > min_amplitude * min_amplitude + kAlternationRatio * std::max(commanded, 0.0) &&
+        measured_alternation_[i].is_frequent();
+    if (!deviates || i / kLegJoints == last_leg) continue;
     ++legs;
     last_leg = i / kLegJoints;
   }
@@ -153,10 +155,10 @@ void MotorFaults::judge_temperatures(const LowState& state, double dt, FaultLog&
   for (int i = 0; i < kMotors; ++i) {
     temperature_[i] += share * (state.motorState[i].temperature - temperature_[i]);
     if (temperature_[i] > temperature_[hottest]) hottest = i;
-    const double over = std::clamp(
+    const double excess = std::clamp(
         (temperature_[i] - temperature_warning_) / (temperature_stop_ - temperature_warning_), 0.0,
         1.0);
-    torque_share_[i] = 1.0 - (1.0 - kLeastShare) * over;
+    torque_share_[i] = 1.0 - (1.0 - kMinTorqueShare) * excess;
   }
   log.set(FaultId::kTemperature,
           overheated_.update(temperature_[hottest] >= temperature_stop_, dt, kOverheatedTime),

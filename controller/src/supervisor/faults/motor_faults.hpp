@@ -42,7 +42,8 @@ class MotorFaults {
     for (int i = 0; i < kMotors; ++i)
       commanded_alternation_[i].interrupt(), measured_alternation_[i].interrupt();
   }
-  /// Return the share of each motor's torque limit that is allowed at its temperature, kLeastShare
+  /// Return the share of each motor's torque limit that is allowed at its temperature,
+  /// kMinTorqueShare
   /// .. 1, SDK motor order.
   const Vector12& torque_share() const noexcept { return torque_share_; }
   /// Clear torques and counts, but not temperatures.
@@ -51,7 +52,7 @@ class MotorFaults {
   /// Share of the torque limits that remains at temperature_stop. Chosen below 1, so that motors
   /// cool, and above `RisePlan::torque_share`, so that the robot can hold itself while it sits
   /// down.
-  static constexpr double kLeastShare = 0.5;
+  static constexpr double kMinTorqueShare = 0.5;
 
  private:
   void judge_modes(const LowState& state, int lost_leg, FaultLog& log) noexcept;

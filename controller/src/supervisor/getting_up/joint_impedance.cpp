@@ -22,7 +22,7 @@ namespace {
 constexpr double kMaxDeflection = 0.45;
 constexpr double kTorqueShare = 0.9;  // largest torque, as a share of tau_max; the rest is a margin
 // Largest torque for holding, as a share of tau_max. The rest is for lifting.
-constexpr double kLiftShare = 0.75;
+constexpr double kHoldShare = 0.75;
 // [rad/s] The spring of a joint is weakened if the joint moves ahead of its reference by more than
 // kReleaseSpeed. The spring torque is zero from kReleaseSpeed + kReleaseSpeedRange on. Larger than
 // the velocity errors of normal tracking. Smaller than 9 rad/s, which legs reach when they come
@@ -37,7 +37,7 @@ constexpr double kFallRateEnd = 1.6;
 // a falling body.
 constexpr double kMinDampingShare = 0.25;
 // [s] Time constant of the damping: ten periods at 500 Hz, so that torques do not jump.
-constexpr double kSmoothing = 0.02;
+constexpr double kDampingFilterTime = 0.02;
 // [m g] With this load or more on the legs, no leg can be caught on something.
 constexpr double kLoadedShare = 0.1;
 }  // namespace
@@ -66,17 +66,17 @@ void JointImpedance::read(const LowState& state) noexcept {
 }
 
 void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
-  const double falling =
+  const double reduction =
       std::clamp((turn_rate - kFallRateStart) / (kFallRateEnd - kFallRateStart), 0.0, 1.0);
-  const double desired = (1.0 - (1.0 - kMinDampingShare) * falling) * full_damping_;
-  damping_ += dt / (dt + kSmoothing) * (desired - damping_);
+  const double desired = (1.0 - (1.0 - kMinDampingShare) * reduction) * full_damping_;
+  damping_ += dt / (dt + kDampingFilterTime) * (desired - damping_);
 }
 
 // A released spring of torque tau takes the power (tau - D dq) dq. This power is largest at dq =
 // tau / (2 D), where it is tau^2 / (4 D). The 1e-9 [W] avoid a division by zero.
-Vector12 JointImpedance::limit_released_power(const Vector12& pull) const noexcept {
-  const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
-  return pull * std::sqrt(std::min(1.0, power_limit_ / std::max(released, 1e-9)));
+Vector12 JointImpedance::limit_released_power(const Vector12& deflection) const noexcept {
+  const double released_power = (stiffness_ * deflection).squaredNorm() / (4.0 * damping_);
+  return deflection * std::sqrt(std::min(1.0, power_limit_ / std::max(released_power, 1e-9)));
 }
 
 // Return the torques that hold the legs and the share `load` of the robot's weight [N.m].
@@ -88,8 +88,8 @@ Vector12 JointImpedance::gravity_torques(double load) noexcept {
 
 bool JointImpedance::can_hold() noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
-  const Vector12 most = kLiftShare * torque_share_.cwiseProduct(robot_.config().tau_max);
-  return (gravity_torques(1.0).cwiseAbs() - most).maxCoeff() < 0.0;
+  const Vector12 max_torque = kHoldShare * torque_share_.cwiseProduct(robot_.config().tau_max);
+  return (gravity_torques(1.0).cwiseAbs() - max_torque).maxCoeff() < 0.0;
 }
 
 Vector12 JointImpedance::leg_gravity_torques() noexcept {
@@ -106,25 +106,26 @@ double JointImpedance::load_share(const Vector12& measured) noexcept {
 Vector12 JointImpedance::torques(const JointReference& reference, double load) noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = gravity_torques(load);
-  Vector12 pull = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
+  Vector12 deflection = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
   // The legs of a lying body may be caught on something. This is also true in the rear press, where
   // `load` is 0.
-  const Vector12 freed = limit_released_power(pull);
-  pull = freed + smoothstep(load / kLoadedShare) * (pull - freed);
+  const Vector12 limited_deflection = limit_released_power(deflection);
+  deflection =
+      limited_deflection + smoothstep(load / kLoadedShare) * (deflection - limited_deflection);
   // Weaken the spring of a leg that slips off an obstacle. Otherwise this leg alone would take more
   // power than a rise.
   for (int i = 0; i < kMotors; ++i) {
-    const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
-    pull[i] *= std::clamp(1.0 - (ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
+    const double ahead = std::copysign(1.0, deflection[i]) * (dq_[i] - reference.dq[i]);
+    deflection[i] *= std::clamp(1.0 - (ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
   }
-  Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
+  Vector12 tau = hold + stiffness_ * deflection + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {
-    const double share = kTorqueShare * torque_share_[i], most = share * config.tau_max[i];
+    const double share = kTorqueShare * torque_share_[i], max_torque = share * config.tau_max[i];
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], share);
     // limit_power() scales torques towards `hold`. The limit of `hold` does not depend on the
     // velocity, so that a wrong velocity in one sample does not drop the robot.
-    hold[i] = std::clamp(hold[i], -most, most);
+    hold[i] = std::clamp(hold[i], -max_torque, max_torque);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
   if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;

@@ -62,7 +62,7 @@ class JointImpedance {
   Vector12 gravity_torques(double load) noexcept;
   /// Return the spring deflections [rad], scaled so that all springs together stay within the power
   /// limit even if they are released at once.
-  Vector12 limit_released_power(const Vector12& pull) const noexcept;
+  Vector12 limit_released_power(const Vector12& deflection) const noexcept;
 
   Robot robot_;
   Dynamics dynamics_;

@@ -27,7 +27,8 @@ constexpr double kHipOutwardShare = 0.6;
 constexpr double kMaxHipOutward = 0.7;
 // Largest joint velocity, as a share of dq_max. The present robots reach kMaxRate first.
 constexpr double kSpeedShare = 0.3;
-// [1/s] Largest ds/dt. Slow on purpose: the path takes 1.25 s of a rise of 1.9 s (docs/faults.md).
+// [1/s] Largest ds/dt. Slow on purpose: the path takes 1.25 s of a rise of 1.9 s
+// (docs/explanation/getting-up.md).
 constexpr double kMaxRate = 0.8;
 // [1/rad] K divided by (m g times standing foot depth). If smaller: legs sag by more than
 // 3 degrees. If larger: released legs take more power, which grows with K.

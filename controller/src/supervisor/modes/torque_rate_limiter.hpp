@@ -35,12 +35,12 @@ class TorqueRateLimiter {
   /// @param period time between commands [s]
   /// @return whether tau was changed
   bool limit(Vector12& tau, const Vector12& kd, const Vector12& dq, double period) noexcept {
-    const Vector12 before = has_last_ ? equivalent_torques(kd, plausible_speeds(dq)) : tau;
-    const Vector12 change = tau - before;
+    const Vector12 last_equivalent = has_last_ ? equivalent_torques(kd, plausible_speeds(dq)) : tau;
+    const Vector12 change = tau - last_equivalent;
     const double allowed = kMaxRate * std::min(period, kMaxPeriod);
     const double max_ratio = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / allowed;
     const bool exceeds = max_ratio > 1.0;
-    if (exceeds) tau = before + change / max_ratio;
+    if (exceeds) tau = last_equivalent + change / max_ratio;
     last_ = tau;
     kd_ = kd;
     has_last_ = true;
@@ -74,9 +74,9 @@ class TorqueRateLimiter {
   Vector12 plausible_speeds(const Vector12& dq) const noexcept {
     Vector12 out = dq;
     for (int i = 0; i < kMotors; ++i) {
-      const bool leaps = std::abs(dq[i] - dq_[i]) > kMaxSpeedStep &&
-                         std::abs(dq[i] - dq_before_[i]) > kMaxSpeedStep;
-      if (leaps) out[i] = dq_[i];
+      const bool is_outlier = std::abs(dq[i] - dq_[i]) > kMaxSpeedStep &&
+                              std::abs(dq[i] - dq_before_[i]) > kMaxSpeedStep;
+      if (is_outlier) out[i] = dq_[i];
     }
     return out;
   }

@@ -45,12 +45,12 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
       model_[leg] += model[kLegJoints * leg];
     }
   }
-  const double out =
+  const double outward_angle =
       kHipOutward * (smoothstep(time_ / kMoveTime) - smoothstep((time_ - kReturnTime) / kMoveTime));
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!legs_[leg]) continue;
     const int hip = kLegJoints * leg;
-    const double q = q_start_[hip] + std::copysign(out, plan_.hip_outward_max[hip]);
+    const double q = q_start_[hip] + std::copysign(outward_angle, plan_.hip_outward_max[hip]);
     reference_.dq[hip] = (q - reference_.q[hip]) / dt;
     reference_.q[hip] = q;
   }
@@ -65,25 +65,25 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
 // included, count as 1e-3.
 void LegWeightCheck::judge() noexcept {
   int worst = 0, heaviest = 0, count = 0;
-  double off = -1.0, all = 0.0;
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  double worst_log_ratio = -1.0, mean_ratio = 0.0;
+  double min_ratio = std::numeric_limits<double>::infinity(), max_ratio = -min_ratio;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!legs_[leg]) continue;
-    const double share = measured_[leg] / model_[leg];
-    const double size = std::log(std::max(share, 1e-3));
-    if (std::abs(size) > off) worst = leg, off = std::abs(size);
-    least = std::min(least, share);
-    if (share > most) heaviest = leg, most = share;
-    all += share;
+    const double ratio = measured_[leg] / model_[leg];
+    const double log_ratio = std::log(std::max(ratio, 1e-3));
+    if (std::abs(log_ratio) > worst_log_ratio) worst = leg, worst_log_ratio = std::abs(log_ratio);
+    min_ratio = std::min(min_ratio, ratio);
+    if (ratio > max_ratio) heaviest = leg, max_ratio = ratio;
+    mean_ratio += ratio;
     ++count;
   }
-  all /= count;
+  mean_ratio /= count;
   const bool all_legs = count == kLegs;
-  const bool plausible =
-      least > kMinRatio && most < kMaxRatio && all > kMinMeanRatio && all < kMaxMeanRatio;
-  if (all_legs ? plausible : most < kMaxPartialRatio) return;
+  const bool plausible = min_ratio > kMinRatio && max_ratio < kMaxRatio &&
+                         mean_ratio > kMinMeanRatio && mean_ratio < kMaxMeanRatio;
+  if (all_legs ? plausible : max_ratio < kMaxPartialRatio) return;
   if (!all_legs) worst = heaviest;
-  const bool alike = least > 0.0 && most < kMaxSpread * least;
+  const bool alike = min_ratio > 0.0 && max_ratio < kMaxSpread * min_ratio;
   motor_ = alike ? -1 : kLegJoints * worst;
   verdict_ = alike ? Verdict::kWrongWeight : Verdict::kWrongSide;
 }

@@ -27,9 +27,10 @@ namespace surefoot {
 /// checked in this case. Real-time: yes.
 class LegWeightCheck {
  public:
-  // The limits are chosen between ratios measured with benchmarks/false_trips.py (docs/faults.md).
-  // Healthy robots with payloads up to 30 % on slopes up to 8 degrees: 0.92 to 1.07. Swapped legs:
-  // 4 to 12. A b1 with the model of a go1: 7. Tests: tests/cpp/test_rise_checks.cpp.
+  // The limits are chosen between ratios measured with benchmarks/false_trips.py
+  // (docs/explanation/getting-up.md). Healthy robots with payloads up to 30 % on slopes up to 8
+  // degrees: 0.92 to 1.07. Swapped legs: 4 to 12. A b1 with the model of a go1: 7. Tests:
+  // tests/cpp/test_rise_checks.cpp.
   /// [rad] Angle by which the hips move. If smaller: the body may still rest on the legs. If
   /// larger: the motion exceeds the range of the hips.
   static constexpr double kHipOutward = 0.35;

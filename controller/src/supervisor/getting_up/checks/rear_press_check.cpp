@@ -59,20 +59,20 @@ void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, doubl
 }
 
 void RearPressCheck::step_path(double dt) noexcept {
-  const double goal = pressing_ ? kMaxExtension : 0.0, left = goal - s_;
-  const double brake = std::sqrt(kAcceleration * std::abs(left));
-  const double desired = std::copysign(std::min(kRate, brake), left);
+  const double goal = pressing_ ? kMaxExtension : 0.0, remaining = goal - s_;
+  const double braking_rate = std::sqrt(kAcceleration * std::abs(remaining));
+  const double desired = std::copysign(std::min(kRate, braking_rate), remaining);
   ds_ += std::clamp(desired - ds_, -kAcceleration * dt, kAcceleration * dt);
-  const Vector12 before = plan_.joints_at(s_);
+  const Vector12 last_joints = plan_.joints_at(s_);
   s_ += ds_ * dt;
-  if (std::abs(left) <= std::max(std::abs(ds_), kMinRate) * dt && ds_ * left >= 0.0) {
+  if (std::abs(remaining) <= std::max(std::abs(ds_), kMinRate) * dt && ds_ * remaining >= 0.0) {
     s_ = goal;
     ds_ = 0.0;
   }
-  const Vector12 now = plan_.joints_at(s_);
+  const Vector12 joints = plan_.joints_at(s_);
   for (int i = kLegJoints * kFirstLeg; i < kMotors; ++i) {
-    reference_.q[i] = q_start_[i] + now[i] - plan_.folded[i];
-    reference_.dq[i] = (now[i] - before[i]) / dt;
+    reference_.q[i] = q_start_[i] + joints[i] - plan_.folded[i];
+    reference_.dq[i] = (joints[i] - last_joints[i]) / dt;
   }
 }
 

@@ -22,10 +22,10 @@ namespace surefoot {
 /// passes. Real-time: yes.
 class RearPressCheck {
  public:
-  // The limits are chosen between values measured in simulation (docs/faults.md). A true rear pair
-  // rolls an a1, go1 and b1 by at most 0.1 degrees, and carries at most 0.21 of the weight of an
-  // a1, go1 and go2. A diagonal pair rolls a body by at least 0.4 degrees and carries at least
-  // 0.26. Tests: test_rise_checks.cpp.
+  // The limits are chosen between values measured in simulation (docs/explanation/getting-up.md). A
+  // true rear pair rolls an a1, go1 and b1 by at most 0.1 degrees, and carries at most 0.21 of the
+  // weight of an a1, go1 and go2. A diagonal pair rolls a body by at least 0.4 degrees and carries
+  // at least 0.26. Tests: test_rise_checks.cpp.
   /// [rad] 3.4 degrees: the check passes if the front goes down by more than this.
   static constexpr double kMinNoseDown = 0.06;
   /// [rad] 0.7 degrees: the press fails if the front goes up by more than this.

@@ -73,13 +73,14 @@ Vector3 folding_target(const RisePlan& plan, int leg, const Vector3& q, double t
   Vector3 target = plan.folded.segment<kLegJoints>(hip);
   const double thigh_angle = folding_angle(plan, thigh, q[1]);
   const double thigh_goal = std::abs(folding_angle(plan, thigh, thigh_reference));
-  const double below =
+  const double below_hip_share =
       smoothstep((thigh_angle - kKneeOutwardStart) / (kKneeOutwardFull - kKneeOutwardStart));
-  const double beside =
+  const double beside_body_share =
       1.0 - smoothstep((thigh_goal - kKneeOutwardEnd) / (kKneeUp - kKneeOutwardEnd));
-  target[0] += plan.hip_outward[hip] * below * beside;
-  const bool leans = thigh_goal > kKneeOutwardEnd && std::abs(target[0] - q[0]) > kHipTolerance;
-  if (leans && mode.allow_detours) target[1] = std::copysign(kKneeBack, target[1]);
+  target[0] += plan.hip_outward[hip] * below_hip_share * beside_body_share;
+  const bool hip_not_straight =
+      thigh_goal > kKneeOutwardEnd && std::abs(target[0] - q[0]) > kHipTolerance;
+  if (hip_not_straight && mode.allow_detours) target[1] = std::copysign(kKneeBack, target[1]);
   return target;
 }
 

@@ -89,10 +89,10 @@ bool LegFolding::detect_rollover(const JointReference& held, const Vector3& up,
 bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg;
   const auto desired = plan_.folded.segment<kLegJoints>(hip);
-  const auto off = [&](const Vector12& q) {
+  const auto max_error = [&](const Vector12& q) {
     return (desired - q.segment<kLegJoints>(hip)).cwiseAbs().maxCoeff();
   };
-  return off(reference_.q) < kReferenceTolerance && off(measured) < kJointTolerance;
+  return max_error(reference_.q) < kReferenceTolerance && max_error(measured) < kJointTolerance;
 }
 
 // A leg has caught if it is not folded and does not move.
@@ -105,9 +105,9 @@ void LegFolding::detect_catch(int leg, const Vector12& measured, double dt) noex
   }
   const int hip = kLegJoints * leg;
   const Vector3 q = measured.segment<kLegJoints>(hip);
-  const Vector3 left = plan_.folded.segment<kLegJoints>(hip) - q;
-  const bool there = left.cwiseAbs().maxCoeff() < kJointTolerance;
-  if (there || (q - own.q).cwiseAbs().maxCoeff() > kMinMovement) {
+  const Vector3 remaining = plan_.folded.segment<kLegJoints>(hip) - q;
+  const bool at_target = remaining.cwiseAbs().maxCoeff() < kJointTolerance;
+  if (at_target || (q - own.q).cwiseAbs().maxCoeff() > kMinMovement) {
     own.q = q;
     own.still_time = 0.0;
   }
@@ -135,9 +135,9 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
   if (own.rest_time > 0.0) return measured.segment<kLegJoints>(hip);
   if (own.back_out_time > 0.0) {
     Vector3 target = plan_.folded.segment<kLegJoints>(hip);
-    const double left = target[1] - own.q[1];
+    const double remaining = target[1] - own.q[1];
     // A thigh that is already at its folded angle backs out against the folding direction.
-    const double displacement = std::abs(left) < kJointTolerance ? target[1] : left;
+    const double displacement = std::abs(remaining) < kJointTolerance ? target[1] : remaining;
     const double step = std::copysign(own.catches * kBackOutStep, displacement);
     target[0] = plan_.hip_outward_max[hip];
     target[1] = std::clamp(own.q[1] - step, plan_.lower[thigh], plan_.upper[thigh]);
@@ -150,11 +150,11 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
 
 void LegFolding::step_joint(int joint, double desired, double measured, double dt) noexcept {
   double &q = reference_.q[joint], &dq = reference_.dq[joint];
-  const double left = desired - q;
+  const double remaining = desired - q;
   const double lead = legs_[joint / kLegJoints].interfered ? kInterferenceLead : kMaxLead;
-  const double ahead = std::copysign(1.0, left) * (q - measured) / lead;
-  const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead), 0.0, 1.0);
-  const double speed = std::clamp(kSettlingRate * left, -most, most);
+  const double lead_ratio = std::copysign(1.0, remaining) * (q - measured) / lead;
+  const double max_speed = kSpeed * std::clamp(2.0 * (1.0 - lead_ratio), 0.0, 1.0);
+  const double speed = std::clamp(kSettlingRate * remaining, -max_speed, max_speed);
   dq += std::clamp(speed - dq, -kAcceleration * dt, kAcceleration * dt);
   q += dq * dt;
 }

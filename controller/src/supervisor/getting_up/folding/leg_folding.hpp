@@ -44,7 +44,7 @@ class LegFolding {
   /// side_weighed(), no side is returned until a leg has caught kCatchesBetween more times.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
   /// Record that a side has been weighed.
-  void side_weighed() noexcept { next_weighing_ = most_catches() + kCatchesBetween; }
+  void side_weighed() noexcept { next_weighing_ = max_catches() + kCatchesBetween; }
   /// Return whether the body rolls over its folded legs. Call this instead of step() while the legs
   /// are weighed or press. If it returns true, continue with step(), which releases the legs and
   /// folds them again.
@@ -58,7 +58,7 @@ class LegFolding {
   bool rolled_over() const noexcept { return rollover_.rolled_over(); }
   /// Return whether folding has taken too long, or a leg has caught too often.
   bool stuck() const noexcept {
-    return !done_ && (time_ > kTimeout || most_catches() > kMaxCatches);
+    return !done_ && (time_ > kTimeout || max_catches() > kMaxCatches);
   }
 
  private:
@@ -85,7 +85,7 @@ class LegFolding {
 
   void restart(const Vector12& measured, const Vector3& up) noexcept;
   void relax_legs(const Vector12& measured, const Vector3& up, double dt) noexcept;
-  int most_catches() const noexcept;  // largest number of catches of any leg
+  int max_catches() const noexcept;  // largest number of catches of any leg
   void step_leg(int leg, const Vector12& measured, double dt) noexcept;
   FoldingOrder::Leg order_input(int leg, const Vector12& measured) const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;

@@ -43,8 +43,8 @@ class RolloverMonitor {
   bool rolled_over() const noexcept { return rolled_over_; }
 
  private:
-  // The limits are chosen between tilts measured with benchmarks/false_trips.py (docs/faults.md):
-  // no trip of a go2 in 515 rises.
+  // The limits are chosen between tilts measured with benchmarks/false_trips.py
+  // (docs/explanation/getting-up.md): no trip of a go2 in 515 rises.
   //
   // [rad] 25 degrees: tilt above which the body may be rolling; same as kMaxTilt of ArmingChecks.
   static constexpr double kRollTilt = 0.44;
