@@ -15,23 +15,24 @@ void bind_enums(nb::module_& m) {
   nb::enum_<SensorVerdict>(m, "SensorVerdict", "What the estimator concludes about a sensor.")
       .value("GOOD", SensorVerdict::kGood, "The estimator uses the sensor.")
       .value("UNJUDGED", SensorVerdict::kUnjudged,
-             "There is not enough evidence yet to judge the sensor.")
+             "Not judged yet, because there are too few samples.")
       .value("ZERO", SensorVerdict::kZero, "The sensor reads exactly zero.")
       .value("CONSTANT", SensorVerdict::kConstant,
-             "The reading does not change although the robot moves.")
-      .value("SATURATED", SensorVerdict::kSaturated, "The reading is at the end of its range.")
+             "The reading stays the same while other fields of the samples change.")
+      .value("SATURATED", SensorVerdict::kSaturated,
+             "The reading is at the end of the sensor's range.")
       .value("DISAGREES", SensorVerdict::kDisagrees, "The reading contradicts the other sensors.")
       .value("IMPLAUSIBLE", SensorVerdict::kImplausible,
              "The reading is beyond what the sensor can measure.");
   nb::enum_<ContactSource>(m, "ContactSource",
                            "Measurement that shows whether a foot is on the ground.")
-      .value("FOOT_FORCE_EST", ContactSource::kFootForceEst, "footForceEst [N].")
+      .value("FOOT_FORCE_EST", ContactSource::kFootForceEst, "LowState.footForceEst [N].")
       .value("FOOT_FORCE", ContactSource::kFootForce,
-             "footForce: raw counts, calibrated against the other sources.")
+             "LowState.footForce, raw counts, calibrated against the other sources.")
       .value("TAU_EST", ContactSource::kTauEst,
              "Foot force computed from the joint torques of the leg.")
       .value("NO_SLIP", ContactSource::kFootMotion,
-             "Foot motion: a foot that rises or moves fast is off the ground.");
+             "Foot motion. A foot that rises or moves fast is off the ground.");
 }
 
 void bind_report(nb::module_& m) {
@@ -43,11 +44,11 @@ void bind_report(nb::module_& m) {
       .def_ro("accelerometer", &R::accelerometer, "Verdict on imu.accelerometer.")
       .def_ro("quaternion", &R::quaternion, "Verdict on imu.quaternion.")
       .def_ro("contact_sources", &R::contact_sources,
-              "Verdicts on the contact sources, [ContactSource][foot].")
+              "Verdicts on the contact sources, indexed [ContactSource][foot].")
       .def_ro("contact_by_source", &R::contact_by_source,
-              "Contact evidence of each source alone, shape (4, 4): row ContactSource, column\n"
-              "foot.\n\n"
-              "0: off the ground, 1: loaded, 0.5: no evidence.")
+              "Contact evidence of each source alone, shape (4, 4). Rows are ContactSources,\n"
+              "columns feet.\n\n"
+              "0: off the ground; 1: loaded; 0.5: no evidence, or evidence for both.")
       .def_ro("foot_forces_from_torques", &R::foot_forces_from_torques,
               "Ground force on each foot [N], computed from the joint torques, world axes,\n"
               "shape (3, 4).\n\n"
@@ -64,7 +65,8 @@ void bind_report(nb::module_& m) {
               "base [m], all in world axes; then gyroscope_bias, accelerometer_bias.")
       .def_ro("nis", &R::nis,
               "Normalised innovation squared of the foot measurements in the last update.")
-      .def_ro("nis_dimension", &R::nis_dimension, "Dimension of nis.")
+      .def_ro("nis_dimension", &R::nis_dimension,
+              "Dimension of nis, 3 for each foot that was used.")
       .def_ro("rejected_feet", &R::rejected_feet,
               "For each foot, whether the innovation gate rejected it in the last update, 4\n"
               "booleans.")
@@ -74,8 +76,7 @@ void bind_report(nb::module_& m) {
               "Sustained external moment about the centre of mass [N.m], world axes, shape\n"
               "(3,).")
       .def_ro("payload", &R::payload,
-              "Mass of the robot minus mass of the model [kg]; may be\n"
-              "negative.")
+              "Mass of the robot minus mass of the model [kg]; may be negative.")
       .def_ro("com_shift", &R::com_shift,
               "Shift of the centre of mass against the model, caused by the payload [m], base\n"
               "axes, shape (3,).");
@@ -96,7 +97,7 @@ void bind_state_estimator(nb::module_& m) {
       "The world frame has z up; at the first sample it has the heading of the base,\n"
       "and the mean height of the feet is zero. Position and yaw are not observable, so\n"
       "both drift; report has the covariance. Not thread-safe.")
-      .def(nb::init<const Robot&>(), "robot"_a)
+      .def(nb::init<const Robot&>(), "robot"_a, "Create an estimator with robot.config.gains.")
       .def("update", &StateEstimator::update, "low_state"_a, "dt"_a,
            "Process one sample. Never raises. Real-time: yes.\n\n"
            "Args:\n"
@@ -104,28 +105,27 @@ void bind_state_estimator(nb::module_& m) {
            "        footForce, footForceEst.\n"
            "    dt: Time since the last processed sample [s], 0 < dt <= 0.1.\n\n"
            "Returns:\n"
-           "    Status. OK: the sample was processed. STALE_TICK (dt out of range),\n"
-           "    NON_FINITE, IMPLAUSIBLE: the state is unchanged. DIVERGED: no motion\n"
-           "    explains the samples, and the estimator starts again with the next sample. A\n"
-           "    finite quaternion that is not of unit length only changes its verdict in\n"
-           "    report.")
+           "    OK if the sample was processed. STALE_TICK (dt out of range), NON_FINITE or\n"
+           "    IMPLAUSIBLE if the state is unchanged. DIVERGED if no motion explains the\n"
+           "    samples; the estimator then starts again with the next sample. A finite\n"
+           "    quaternion that is not of unit length only changes its verdict in report.")
       .def_prop_ro(
           "state", [](const StateEstimator& e) { return RobotState(e.state()); },
-          "Estimated state, a copy.")
+          "State after the last processed sample, a copy.")
       .def_prop_ro(
           "report", [](const StateEstimator& e) { return EstimatorReport(e.report()); },
           "Uncertainty of the state and verdicts on the sensors, a copy.")
       .def_prop_ro("normal_forces_from_torques", &StateEstimator::normal_forces_from_torques,
                    "Normal force on each foot [N], computed from the joint torques, FR FL RR RL,\n"
                    "shape (4,).")
-      .def_prop_ro("has_foot_force_est", &StateEstimator::has_foot_force_est,
-                   "True if footForceEst works on this robot: its sum has matched the load on the\n"
-                   "feet.")
+      .def_prop_ro(
+          "has_foot_force_est", &StateEstimator::has_foot_force_est,
+          "True if footForceEst works on this robot, because its sum has matched the load\n"
+          "on the feet.")
       .def("set_gains", &StateEstimator::set_gains, "gains"_a,
            "Set the gains. Raises Error and changes nothing if a gain is invalid.")
       .def("reset", &StateEstimator::reset,
-           "Discard the estimate and start again with the next\n"
-           "sample. Real-time: yes.");
+           "Discard the estimate and start again with the next sample. Real-time: yes.");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bindings of the frames. surefoot/protocol.py is the public interface to the functions here whose
-// names begin with an underscore.
+// Bindings of the frames. Functions whose names begin with an underscore are internal;
+// surefoot/protocol.py is their public interface.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -56,7 +56,7 @@ void bind_extras(nb::module_& m) {
       m, "FrameExtras",
       "Fields that some frame formats have but LowCmd and LowState do not.\n\n"
       "Surefoot only passes them on.");
-  c.def(nb::init<>());
+  c.def(nb::init<>(), "Create fields of zeros.");
   def_number(c, "commVersion", &FrameExtras::commVersion,
              "Communication version. Only in generations a1-v3.3 and go1-v3.4.");
   def_number(c, "robotID", &FrameExtras::robotID,
@@ -70,14 +70,13 @@ void bind_extras(nb::module_& m) {
       "Red, green, blue of four lights, a writable view of shape (4, 3). Only in LowCmd\n"
       "of generation a1-v3.3.");
   def_array(c, "BQ_NTC", &FrameExtras::BQ_NTC,
-            "Elements 2 .. 7 of BQ_NTC [deg C], shape (6,); BmsState.BQ_NTC has elements 0 and 1.\n"
-            "Only in LowState of generation b1-v3.8.");
-  def_array(
-      c, "MCU_NTC", &FrameExtras::MCU_NTC,
-      "Elements 2 .. 7 of MCU_NTC [deg C], shape (6,); BmsState.MCU_NTC has elements 0 and 1.\n"
-      "Only in LowState of generation b1-v3.8.");
+            "Elements 2 .. 7 of BQ_NTC [deg C], shape (6,). BmsState.BQ_NTC has elements 0\n"
+            "and 1. Only in LowState of generation b1-v3.8.");
+  def_array(c, "MCU_NTC", &FrameExtras::MCU_NTC,
+            "Elements 2 .. 7 of MCU_NTC [deg C], shape (6,). BmsState.MCU_NTC has elements 0\n"
+            "and 1. Only in LowState of generation b1-v3.8.");
   def_array(c, "cell_vol", &FrameExtras::cell_vol,
-            "Voltages of battery cells 10 .. 29 [mV], shape (20,); BmsState.cell_vol has\n"
+            "Voltages of battery cells 10 .. 29 [mV], shape (20,). BmsState.cell_vol has\n"
             "cells 0 .. 9. Only in LowState of generation b1-v3.8.");
 }
 
@@ -102,18 +101,18 @@ void bind_remote(nb::module_& m) {
   nb::class_<WirelessRemote>(m, "WirelessRemote",
                              "Buttons and sticks in the 40 bytes of LowState.wirelessRemote.\n\n"
                              "The layout is that of the SDK's joystick.h.")
-      .def(nb::init<>())
+      .def(nb::init<>(), "Create a remote at rest.")
       .def_rw("buttons", &WirelessRemote::buttons, "One bit per button, see Button.")
-      .def_rw("lx", &WirelessRemote::lx, "Left stick, positive to the right: -1 .. 1.")
-      .def_rw("ly", &WirelessRemote::ly, "Left stick, positive up: -1 .. 1.")
-      .def_rw("rx", &WirelessRemote::rx, "Right stick, positive to the right: -1 .. 1.")
-      .def_rw("ry", &WirelessRemote::ry, "Right stick, positive up: -1 .. 1.")
-      .def_rw("L2", &WirelessRemote::L2, "Trigger: 0 .. 1.")
+      .def_rw("lx", &WirelessRemote::lx, "Left stick, -1 .. 1, positive to the right.")
+      .def_rw("ly", &WirelessRemote::ly, "Left stick, -1 .. 1, positive up.")
+      .def_rw("rx", &WirelessRemote::rx, "Right stick, -1 .. 1, positive to the right.")
+      .def_rw("ry", &WirelessRemote::ry, "Right stick, -1 .. 1, positive up.")
+      .def_rw("L2", &WirelessRemote::L2, "Trigger L2, 0 .. 1.")
       .def("pressed", &WirelessRemote::pressed, "button"_a, "Return whether a button is pressed.")
       .def(
           "press",
           [](WirelessRemote& r, Button button) { r.buttons |= static_cast<std::uint16_t>(button); },
-          "button"_a, "Set a button to pressed.")
+          "button"_a, "Mark a button as pressed.")
       .def(
           "to_bytes",
           [](const WirelessRemote& r) {
@@ -135,9 +134,9 @@ void bind_remote(nb::module_& m) {
           },
           "data"_a,
           "Decode the 40 bytes of LowState.wirelessRemote.\n\n"
-          "If a stick value is not finite or its magnitude is above 1.05, all sticks are\n"
-          "set to 0; the buttons are still decoded. Raises ValueError if the number of\n"
-          "bytes is not 40.");
+          "All bytes are zero if the remote is at rest or missing. If a stick value is not\n"
+          "finite or its magnitude is above 1.05, all sticks are set to 0; the buttons are\n"
+          "still decoded. Raises ValueError if the number of bytes is not 40.");
 }
 
 }  // namespace

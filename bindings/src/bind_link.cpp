@@ -23,22 +23,22 @@ void bind_counts(nb::module_& m) {
       .def_ro("lost", &LinkCounts::lost,
               "LowStates that are missing in the tick sequence, long gaps included.")
       .def_ro("late", &LinkCounts::late,
-              "New LowStates that arrived more than 10 ms after the\n"
-              "previous one.")
+              "New LowStates that arrived more than 10 ms after the previous one.")
       .def_ro("duplicate", &LinkCounts::duplicate, "LowStates whose tick had already arrived.")
       .def_ro("reordered", &LinkCounts::reordered,
-              "Late LowStates: counted as lost, then received after a newer one.")
+              "LowStates counted as lost, then received after a newer one.")
       .def_ro("restarts", &LinkCounts::restarts,
-              "Restarts of the robot: five consecutive LowStates whose ticks increase but are\n"
-              "all older than the newest tick.")
+              "Restarts of the robot.\n\n"
+              "A restart is counted after five consecutive LowStates whose ticks increase but\n"
+              "are all older than the newest tick.")
       .def_ro("corrupt", &LinkCounts::corrupt,
-              "Datagrams whose length is right but whose content is no valid frame.")
+              "Datagrams with the right length but no valid frame in them.")
       .def_ro("wrong_generation", &LinkCounts::wrong_generation, "Frames of another generation.")
       .def_ro("wrong_length", &LinkCounts::wrong_length,
               "Datagrams whose length fits no generation.")
       .def_ro("strangers", &LinkCounts::strangers, "Datagrams from other senders than the peer.")
       .def_ro("floods", &LinkCounts::floods,
-              "Calls of receive() that read the maximum of 64 datagrams.");
+              "Calls of receive() that read the maximum number of datagrams, 64.");
 }
 
 void bind_udp_link(nb::module_& m) {
@@ -49,7 +49,8 @@ void bind_udp_link(nb::module_& m) {
       "Datagrams from other senders than the peer are ignored. Until a valid LowState\n"
       "has shown that the robot uses the expected generation, only damping frames are\n"
       "sent, whatever command is given. state_age is measured from the arrival of the\n"
-      "LowState at this machine. Not thread-safe. For a real robot use StandRunner.")
+      "LowState at this machine, so the time that a LowState waits in the socket is\n"
+      "included. Not thread-safe. For a real robot use StandRunner.")
       .def(
           "__init__",
           [](UdpLink* self, const std::string& host, int port, const std::string& generation,

@@ -12,7 +12,7 @@ using namespace surefoot;
 
 namespace {
 
-// Binds a fixed array of structs; its elements are returned by reference.
+// Bind a fixed array of structs. Python gets references to its elements, not copies.
 template <typename Element, std::size_t N>
 void bind_struct_array(nb::module_& m, const char* name) {
   using Row = std::array<Element, N>;
@@ -33,7 +33,9 @@ void bind_struct_array(nb::module_& m, const char* name) {
 
 template <typename Struct>
 void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
-  c.def("__init__", [make](Struct* self) { new (self) Struct(make()); });
+  c.def(
+      "__init__", [make](Struct* self) { new (self) Struct(make()); },
+      "Create a message with head, levelFlag and default values.");
   c.def("__copy__", [](const Struct& self) { return Struct(self); });
   c.def("__deepcopy__", [](const Struct& self, nb::dict) { return Struct(self); });
   c.def(
@@ -53,26 +55,29 @@ void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
         return s;
       },
       "data"_a,
-      "Make the struct from bytes that to_bytes() returned.\n\n"
+      "Make a struct from bytes that to_bytes() returned.\n\n"
       "Raises ValueError if the number of bytes is wrong.");
   c.def_prop_ro(
       "raw",
       [](nb::handle self) {
         return View<std::uint8_t, sizeof(Struct)>(&nb::cast<Struct&>(self), {sizeof(Struct)}, self);
       },
-      "Bytes of the struct, a writable numpy view of shape (sizeof,).");
+      "Bytes of the struct, a writable numpy view, shape (number of bytes,).");
 }
 
 void bind_imu(nb::module_& m) {
-  nb::class_<IMU> imu(m, "IMU",
-                      "Inertial measurement unit, in its own axes. Arrays are writable views.");
+  nb::class_<IMU> imu(
+      m, "IMU",
+      "Inertial measurement unit, in the IMU's own axes. Arrays are writable numpy\n"
+      "views.");
   def_array(imu, "quaternion", &IMU::quaternion,
             "Quaternion w x y z from IMU to world axes, from the vendor's attitude filter.\n"
             "Read by StandController.");
   def_array(imu, "gyroscope", &IMU::gyroscope,
-            "Angular velocity [rad/s], raw. Read by StandController.");
+            "Angular velocity [rad/s], IMU axes, raw. Read by StandController.");
   def_array(imu, "accelerometer", &IMU::accelerometer,
-            "Specific force [m/s^2], raw: +9.81 on z at rest. Read by StandController.");
+            "Specific force [m/s^2], IMU axes, raw; +9.81 on z at rest. Read by\n"
+            "StandController.");
   def_array(imu, "rpy", &IMU::rpy,
             "Roll, pitch, yaw [rad] (ZYX). Surefoot does not read this field.");
   def_number(imu, "temperature", &IMU::temperature,
@@ -80,11 +85,12 @@ void bind_imu(nb::module_& m) {
 }
 
 void bind_motor_state(nb::module_& m) {
-  nb::class_<MotorState> c(m, "MotorState",
-                           "State of one motor, joint-side: the SDK has removed the gear ratio.\n"
-                           "Surefoot does not read fields without a reader in their description.");
+  nb::class_<MotorState> c(
+      m, "MotorState",
+      "State of one motor, joint-side: the SDK has removed the gear ratio. Surefoot\n"
+      "does not read a field whose description names no reader.");
   def_number(c, "mode", &MotorState::mode,
-             "Motor mode: 0x0A servo, 0x00 damping, 0x08 overheated. Read by Supervisor.");
+             "Motor mode, 0x0A servo, 0x00 damping, 0x08 overheated. Read by Supervisor.");
   def_number(c, "q", &MotorState::q, "Joint angle [rad]. Read by StandController.");
   def_number(c, "dq", &MotorState::dq, "Joint velocity [rad/s]. Read by StandController.");
   def_number(c, "ddq", &MotorState::ddq,
@@ -98,7 +104,7 @@ void bind_motor_state(nb::module_& m) {
   def_number(c, "ddq_raw", &MotorState::ddq_raw,
              "Reserved by the vendor. Surefoot does not read this field.");
   def_number(c, "temperature", &MotorState::temperature,
-             "Temperature [deg C]; lags behind the winding temperature. Read by Supervisor.");
+             "Temperature [deg C]; lags behind that of the winding. Read by Supervisor.");
   def_array(c, "reserve", &MotorState::reserve, "Reserved by the vendor.");
   bind_struct_array<MotorState, kMotorSlots>(m, "MotorStateArray");
 }
@@ -106,13 +112,14 @@ void bind_motor_state(nb::module_& m) {
 void bind_motor_cmd(nb::module_& m) {
   nb::class_<MotorCmd> c(m, "MotorCmd",
                          "Command to one motor, joint-side.\n\n"
-                         "tau_motor = tau + Kp (q - q_motor) + Kd (dq - dq_motor)");
-  def_number(c, "mode", &MotorCmd::mode, "Motor mode: 0x0A servo, 0x00 damping.");
+                         "Torque of the motor, with its measured q_motor and dq_motor::\n\n"
+                         "    tau_motor = tau + Kp (q - q_motor) + Kd (dq - dq_motor)");
+  def_number(c, "mode", &MotorCmd::mode, "Motor mode, 0x0A servo or 0x00 damping.");
   def_number(c, "q", &MotorCmd::q, "Desired joint angle [rad], or PosStopF.");
   def_number(c, "dq", &MotorCmd::dq, "Desired joint velocity [rad/s], or VelStopF.");
   def_number(c, "tau", &MotorCmd::tau, "Feed-forward torque [N.m].");
   def_number(c, "Kp", &MotorCmd::Kp, "Position stiffness [N.m/rad].");
-  def_number(c, "Kd", &MotorCmd::Kd, "Damping [N.m.s/rad].");
+  def_number(c, "Kd", &MotorCmd::Kd, "Velocity damping [N.m.s/rad].");
   def_array(c, "reserve", &MotorCmd::reserve, "Reserved by the vendor.");
   bind_struct_array<MotorCmd, kMotorSlots>(m, "MotorCmdArray");
 }
@@ -130,38 +137,40 @@ void bind_battery(nb::module_& m) {
   def_number(c, "SOC", &BmsState::SOC, "State of charge [%].");
   def_number(c, "current", &BmsState::current, "Battery current [mA].");
   def_number(c, "cycle", &BmsState::cycle, "Number of charge cycles.");
-  def_array(
-      c, "BQ_NTC", &BmsState::BQ_NTC,
-      "Temperatures of the sensors BQ_NTC [deg C], shape (2,); the vendor does not say where.");
-  def_array(
-      c, "MCU_NTC", &BmsState::MCU_NTC,
-      "Temperatures of the sensors MCU_NTC [deg C], shape (2,); the vendor does not say where.");
+  def_array(c, "BQ_NTC", &BmsState::BQ_NTC,
+            "Temperatures of the sensors BQ_NTC [deg C], shape (2,). The vendor does not say\n"
+            "where these sensors are.");
+  def_array(c, "MCU_NTC", &BmsState::MCU_NTC,
+            "Temperatures of the sensors MCU_NTC [deg C], shape (2,). The vendor does not say\n"
+            "where these sensors are.");
   def_array(c, "cell_vol", &BmsState::cell_vol, "Cell voltages [mV], shape (10,).");
 }
 
 template <typename Frame>
 void def_header(nb::class_<Frame>& c) {
-  def_array(c, "head", &Frame::head, "0xFE 0xEF.");
-  def_number(c, "levelFlag", &Frame::levelFlag, "LOWLEVEL (0xFF).");
+  def_array(c, "head", &Frame::head, "First bytes of a frame, 0xFE 0xEF.");
+  def_number(c, "levelFlag", &Frame::levelFlag, "Level of the interface, LOWLEVEL (0xFF).");
   def_number(c, "frameReserve", &Frame::frameReserve, "Reserved by the vendor.");
   def_array(c, "SN", &Frame::SN, "Serial number, shape (2,).");
-  def_array(c, "version", &Frame::version, "Version, shape (2,).");
+  def_array(c, "version", &Frame::version, "Version field of the vendor, shape (2,).");
   def_number(c, "bandWidth", &Frame::bandWidth, "Bandwidth field of the vendor.");
   def_array(c, "wirelessRemote", &Frame::wirelessRemote,
-            "Remote control, 40 bytes; see surefoot.protocol.WirelessRemote.");
+            "Bytes of the remote, shape (40,); see surefoot.protocol.WirelessRemote.");
   def_number(c, "reserve", &Frame::reserve, "Reserved by the vendor.");
-  def_number(c, "crc", &Frame::crc, "CRC of the wire frame; set by decoding, not computed here.");
+  def_number(c, "crc", &Frame::crc,
+             "CRC of the received frame. Encoding a frame ignores this field and computes the\n"
+             "CRC.");
 }
 
 void bind_states(nb::module_& m) {
   nb::class_<LowState> state(
       m, "LowState",
-      "Sample that the robot sends periodically: unitree_legged_sdk v3.5 - v3.8 (Go1),\n"
-      "937 bytes, packed.\n\n"
-      "The StandController reads imu.quaternion, gyroscope, accelerometer; motorState\n"
-      "q, dq, tauEst of motors 0 .. 11; footForce; footForceEst; tick. The Supervisor\n"
-      "also reads motorState mode and temperature, bms and wirelessRemote. All other\n"
-      "fields are only passed on.");
+      "Sample that the robot sends in every period.\n\n"
+      "The struct is that of unitree_legged_sdk v3.5 - v3.8 (Go1), packed, 937 bytes.\n\n"
+      "The StandController reads imu.quaternion, imu.gyroscope, imu.accelerometer; q,\n"
+      "dq, tauEst of motors 0 .. 11; footForce; footForceEst; tick. The Supervisor also\n"
+      "reads mode and temperature of the motors, bms and wirelessRemote. Surefoot only\n"
+      "passes on all other fields.");
   def_bytes_access(state, init_low_state);
   def_header(state);
   state.def_prop_ro(
@@ -170,14 +179,14 @@ void bind_states(nb::module_& m) {
   state.def_prop_ro(
       "motorState", [](LowState& s) -> auto& { return s.motorState; },
       nb::rv_policy::reference_internal,
-      "20 slots; 0 .. 11 are the motors in SDK order. Writing to an element writes to\n"
-      "the struct.");
+      "States of 20 motor slots; 0 .. 11 are the motors in SDK order. Writing to an\n"
+      "element writes to the struct.");
   state.def_prop_ro(
       "bms", [](LowState& s) -> BmsState& { return s.bms; }, nb::rv_policy::reference_internal,
       "State of the battery; not a copy.");
   def_array(state, "footForce", &LowState::footForce,
-            "Foot forces [raw counts], shape (4,), FR FL RR RL; offsets differ and drift.\n"
-            "Read by StandController.");
+            "Foot forces [raw counts], shape (4,), FR FL RR RL. They grow with the load; the\n"
+            "offsets differ and drift. Read by StandController.");
   def_array(state, "footForceEst", &LowState::footForceEst,
             "Foot forces [N], shape (4,), FR FL RR RL; zero on most real robots. Read by\n"
             "StandController.");
@@ -186,19 +195,19 @@ void bind_states(nb::module_& m) {
 
   nb::class_<LowCmd> cmd(
       m, "LowCmd",
-      "Command to the robot, one for every sample: unitree_legged_sdk v3.5 - v3.8\n"
-      "(Go1), 734 bytes, packed.\n\n"
+      "Command to the robot, one in every period.\n\n"
+      "The struct is that of unitree_legged_sdk v3.5 - v3.8 (Go1), packed, 734 bytes.\n"
       "LowCmd() makes the same command as InitCmdData of the SDK: 20 slots with mode\n"
       "0x0A, q = PosStopF, dq = VelStopF, tau = Kp = Kd = 0.");
   def_bytes_access(cmd, init_low_cmd);
   def_header(cmd);
   cmd.def_prop_ro(
       "motorCmd", [](LowCmd& c) -> auto& { return c.motorCmd; }, nb::rv_policy::reference_internal,
-      "20 slots; 0 .. 11 are the motors in SDK order. Writing to an element writes to\n"
-      "the struct.");
+      "Commands of 20 motor slots; 0 .. 11 are the motors in SDK order. Writing to an\n"
+      "element writes to the struct.");
   cmd.def_prop_ro(
       "bms", [](LowCmd& c) -> BmsCmd& { return c.bms; }, nb::rv_policy::reference_internal,
-      "Battery command.");
+      "Battery command; not a copy.");
 }
 
 void bind_constants(nb::module_& m) {

@@ -21,28 +21,31 @@ void bind_gains(nb::module_& m) {
   nb::class_<GainInfo>(m, "GainInfo", "One row of gain_table().")
       .def_prop_ro(
           "group", [](const GainInfo& i) { return std::string(i.group); },
-          "Part of the controller: Body, Feet, Joints, ...")
+          "Part of the controller, such as Body, Feet or Joints.")
       .def_prop_ro(
           "name", [](const GainInfo& i) { return std::string(i.name); },
           "Name of the attribute of Gains.")
       .def_prop_ro(
-          "unit", [](const GainInfo& i) { return std::string(i.unit); }, "Unit of the value.")
+          "unit", [](const GainInfo& i) { return std::string(i.unit); },
+          "Unit of the value, such as 1/s^2; 1 means dimensionless.")
       .def_prop_ro(
           "minimum", [](const GainInfo& i) { return i.minimum; }, "Smallest valid value.")
       .def_prop_ro(
           "maximum", [](const GainInfo& i) { return i.maximum; }, "Largest valid value.")
       .def_prop_ro(
-          "default", [](const GainInfo& i) { return Gains().*i.member; }, "Default of the library.")
+          "default", [](const GainInfo& i) { return Gains().*i.member; },
+          "Default of the library, in the same unit.")
       .def_prop_ro(
           "meaning", [](const GainInfo& i) { return std::string(i.meaning); },
           "Meaning of the gain, in a phrase.");
   nb::class_<Gains> gains(
       m, "Gains",
-      "All parameters that shape how the robot stands.\n\n"
-      "gain_table() has unit, range and meaning of every gain. Gains() has the defaults\n"
-      "of the library. RobotConfig.gains has the defaults of one robot. Stiffness and\n"
-      "damping are per unit of inertia, so the same values suit different robots.");
-  gains.def(nb::init<>());
+      "Parameters of standing that are tuned per robot.\n\n"
+      "gain_table() has unit, range and meaning of every gain. Gains() has the\n"
+      "library's defaults; RobotConfig.gains has the values of one robot. Stiffness and\n"
+      "damping are per unit of inertia, so their values are similar on all robots. The\n"
+      "unit m g is the weight of the robot.");
+  gains.def(nb::init<>(), "Create the library's defaults.");
   for (const GainInfo& info : gain_table()) {
     const auto member = info.member;
     const std::string doc = std::string(info.meaning) + " [" + std::string(info.unit) + "].";
@@ -79,7 +82,7 @@ void bind_config(nb::module_& m) {
       "Arrays of twelve are in SDK motor order (FR FL RR RL; hip, thigh, calf), arrays\n"
       "of four in leg order. Numeric arrays are writable numpy views; lists of names\n"
       "are copies.")
-      .def(nb::init<>())
+      .def(nb::init<>(), "Create an empty configuration, to be filled in.")
       .def_rw("name", &RobotConfig::name, "Name of the robot, one word.")
       .def_rw("joint_names", &RobotConfig::joint_names,
               "Names of the 12 joints in the model, SDK motor order.")
@@ -92,9 +95,9 @@ void bind_config(nb::module_& m) {
       .def_rw("quat_base_imu", &RobotConfig::quat_base_imu,
               "Quaternion w x y z, IMU axes to base axes, shape (4,).")
       .def_rw("q_lower", &RobotConfig::q_lower,
-              "Lower position limits [rad], shape (12,): intersection of SDK and URDF limits.")
+              "Lower position limits [rad], shape (12,), the narrower of SDK and URDF.")
       .def_rw("q_upper", &RobotConfig::q_upper,
-              "Upper position limits [rad], shape (12,): intersection of SDK and URDF limits.")
+              "Upper position limits [rad], shape (12,), the narrower of SDK and URDF.")
       .def_rw("hip_inward", &RobotConfig::hip_inward,
               "Largest inward angle of every hip [rad], > 0, see motion_range().")
       .def_rw("dq_max", &RobotConfig::dq_max, "Velocity limits [rad/s], shape (12,).")
@@ -123,13 +126,12 @@ void bind_config(nb::module_& m) {
         return std::make_tuple(range.lower, range.upper);
       },
       "config"_a, "motor"_a,
-      "Compute the range (lower, upper) [rad] within which QP and body reference keep a\n"
-      "motor.\n\n"
-      "The range is q_lower .. q_upper. For a hip it also ends at hip_inward. Beyond\n"
-      "that angle the trunk rests on the thigh, and the dynamics do not model this\n"
-      "contact. Arming checks and protections use q_lower and q_upper instead, because\n"
-      "an external force may push a hip beyond hip_inward. Raises Error unless motor is\n"
-      "0 .. 11. Real-time: yes.");
+      "Compute the range within which QP and body reference keep a motor.\n\n"
+      "Returns the pair (lower, upper) [rad]. The range is q_lower .. q_upper. For a\n"
+      "hip it also ends at hip_inward. Beyond that angle the trunk rests on the thigh,\n"
+      "and the dynamics do not model this contact. Arming checks and protections use\n"
+      "q_lower and q_upper instead, because an external force may push a hip beyond\n"
+      "hip_inward. Raises Error unless motor is 0 .. 11. Real-time: yes.");
   m.def("motor_torque_limit", &motor_torque_limit, "config"_a, "motor"_a, "dq"_a, "sign"_a,
         "Compute the largest torque [N.m] of a motor in the direction of sign at joint\n"
         "velocity dq [rad/s].\n\n"
@@ -153,22 +155,24 @@ void bind_robot(nb::module_& m) {
       "in q and v are in Pinocchio's order, which differs from SDK motor order: convert\n"
       "with motor_to_q and motor_to_v. Joints are matched to motors by name.")
       .def_static("from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
-                  "Build a Robot from the text that pinocchio.Model.saveToString() returned. Both\n"
-                  "need the same Pinocchio version.\n\n"
+                  "Build a Robot from the text that pinocchio.Model.saveToString() returned.\n\n"
+                  "Both sides need the same Pinocchio version. RobotConfig.armature replaces the\n"
+                  "armature of the model.\n\n"
                   "Raises Error if the text cannot be read, or if the configuration is invalid or\n"
                   "does not fit the model.")
-      .def_static("load", &Robot::load, "path"_a,
-                  "Read a .robot file that save() wrote. No URDF parser or meshes are needed.\n\n"
-                  "Raises Error if the file cannot be read, is damaged, or has another version.")
+      .def_static(
+          "load", &Robot::load, "path"_a,
+          "Read a .robot file that save() wrote. No URDF parser and no meshes are needed.\n\n"
+          "Raises Error if the file cannot be read, is damaged, or has another version.")
       .def("save", &Robot::save, "path"_a,
-           "Write a .robot file, readable from C++ and Python. Raises Error if the file\n"
+           "Write a .robot file, which C++ and Python can read. Raises Error if the file\n"
            "cannot be written.")
       .def("serialized_model", &Robot::serialized_model,
            "Return the model as text for pinocchio.Model.loadFromString() of the same\n"
            "version.")
       .def_prop_ro(
           "config", [](const Robot& r) { return RobotConfig(r.config()); },
-          "Configuration, a copy.")
+          "Configuration of the robot, a copy.")
       .def_prop_ro(
           "name", [](const Robot& r) { return r.config().name; }, "Name of the robot.")
       .def_prop_ro("nq", &Robot::nq, "Size of q; 19 for a robot with twelve joints.")
@@ -177,8 +181,8 @@ void bind_robot(nb::module_& m) {
       .def_prop_ro("motor_to_v", &Robot::motor_to_v, "Index in v of each SDK motor, 12 integers.")
       .def_prop_ro("motor_to_q", &Robot::motor_to_q, "Index in q of each SDK motor, 12 integers.")
       .def_prop_ro("foot_frame_ids", &Robot::foot_frame_ids,
-                   "Pinocchio frame id of each foot, FR FL RR RL.")
+                   "Pinocchio frame id of each foot, 4 integers, FR FL RR RL.")
       .def("q_standing", &Robot::q_standing,
-           "Return q of the standing pose with the base level at the world origin, shape\n"
-           "(nq,).");
+           "Return q of the standing pose, shape (nq,), with the base level at the world\n"
+           "origin.");
 }

@@ -20,15 +20,21 @@ namespace {
 void bind_snapshot(nb::module_& m) {
   nb::class_<RunSnapshot>(
       m, "RunSnapshot",
-      "State of a StandRunner, published every 50 ms and at every change of phase.\n\n"
-      "armed is true if the robot is armed.")
+      "State of a StandRunner, published every 50 ms and at every change of phase.")
       .def_prop_ro(
           "phase", [](const RunSnapshot& s) { return to_string(s.phase); },
-          "Phase: waiting, passive, rising, standing, sitting, damping or ended.")
+          "Phase of the run, in one word.\n\n"
+          "- waiting: the runner sends damping until the first valid LowState arrives\n"
+          "- passive: the motors damp until request(Mode.RISE)\n"
+          "- rising: the robot rises\n"
+          "- standing: the StandController is in control\n"
+          "- sitting: the robot sits down\n"
+          "- damping: damping is latched, the motors damp until arm()\n"
+          "- ended: the run ends after 0.2 s of damping commands")
       .def_prop_ro(
           "reason", [](const RunSnapshot& s) { return to_string(s.reason); },
           "Reason of the last damping, or of the end of the run, in one word.\n\n"
-          "- none: there is no such reason\n"
+          "- none: there was no damping, and the run has not ended\n"
           "- asked: stop(), finish() or damp() was called, or the duration is over\n"
           "- no_state: no valid LowState arrived within connect_timeout, or before the run\n"
           "  ended\n"
@@ -43,12 +49,12 @@ void bind_snapshot(nb::module_& m) {
       .def_prop_ro(
           "last_reject", [](const RunSnapshot& s) { return to_text(s.last_reject); },
           "Reason why the last invalid datagram was rejected, a sentence.")
-      .def_ro("mode", &RunSnapshot::mode, "Mode of the supervisor.")
+      .def_ro("mode", &RunSnapshot::mode, "Mode of the supervisor, after the last tick.")
       .def_ro("damping_fault", &RunSnapshot::damping_fault,
-              "FaultId for which the supervisor last latched damping.")
+              "FaultId for which damping was last latched.")
       .def_ro("faults", &RunSnapshot::faults, "Active and past faults.")
-      .def_ro("arming", &RunSnapshot::arming, "Arming checks.")
-      .def_ro("armed", &RunSnapshot::armed)
+      .def_ro("arming", &RunSnapshot::arming, "Results of the arming checks.")
+      .def_ro("armed", &RunSnapshot::armed, "True if the robot is armed.")
       .def_ro("stood", &RunSnapshot::stood, "True if the robot has stood in this run.")
       .def_ro("stood_to_end", &RunSnapshot::stood_to_end,
               "True if the run was completed as requested.\n\n"
@@ -57,11 +63,11 @@ void bind_snapshot(nb::module_& m) {
               "(start STANDING) or had lain down (start LYING).")
       .def_ro("rise_failed", &RunSnapshot::rise_failed, "True if the last rise was given up.")
       .def_ro("rise_progress", &RunSnapshot::rise_progress,
-              "Position on the path from lying (0) to standing (1).")
+              "Reference position on the path from lying (0) to standing (1).")
       .def_ro("rise_stage", &RunSnapshot::rise_stage,
               "Stage of the present rise, or of the last one.")
       .def_ro("controller_status", &RunSnapshot::controller_status,
-              "StandController.status of its last tick.")
+              "StandController.status after its last tick.")
       .def_ro("controller_fault", &RunSnapshot::controller_fault, "StandController.fault.")
       .def_ro("link", &RunSnapshot::link, "Datagram counts of the link.")
       .def_ro("time", &RunSnapshot::time, "Time since run() began [s].")
@@ -85,7 +91,8 @@ void bind_snapshot(nb::module_& m) {
               "robot had paused together with its samples.")
       .def_ro("rearms", &RunSnapshot::rearms, "Number of times that arm() ended latched damping.")
       .def_ro("refused_rearms", &RunSnapshot::refused_rearms,
-              "Number of rearm() calls that were refused: no LowState, or not ready.")
+              "Number of rearm() calls that were refused, because no LowState arrived or the\n"
+              "robot was not ready.")
       .def_ro("measured_power", &RunSnapshot::measured_power,
               "Motor power in the last sample that the power protection judged [W].")
       .def_ro("power_at_damping", &RunSnapshot::power_at_damping,
@@ -95,12 +102,12 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("height", &RunSnapshot::height,
               "Estimated height of the base origin [m], world frame.")
       .def_ro("tilt", &RunSnapshot::tilt, "Estimated angle between base z and world z [rad].")
-      .def_ro("q", &RunSnapshot::q, "Estimated q, Pinocchio's order, 19 numbers.")
+      .def_ro("q", &RunSnapshot::q, "Estimated q, Pinocchio's order, 19 numbers, see Robot.")
       .def_ro("joint_angles", &RunSnapshot::joint_angles,
               "Measured joint angles [rad], 12 numbers, SDK motor order.")
       .def_ro("desired_forces", &RunSnapshot::desired_forces,
-              "Ground force on each foot in the QP solution [N], 12 numbers: FR FL RR RL, each\n"
-              "x y z, world axes.")
+              "Ground force on each foot in the QP solution [N], world axes, 12 numbers. The\n"
+              "order is FR FL RR RL, each x y z.")
       .def_ro("contact", &RunSnapshot::contact,
               "Contact confidence 0 .. 1, 4 numbers, FR FL RR RL.")
       .def_ro("position_error", &RunSnapshot::position_error,
@@ -108,7 +115,7 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("orientation_error", &RunSnapshot::orientation_error,
               "Angle between the base and its reference orientation [rad].")
       .def_ro("torque_ratio", &RunSnapshot::torque_ratio,
-              "Largest |tauEst| / tau_max of the motors.")
+              "Largest ``|tauEst|`` / tau_max of the motors.")
       .def_ro("command_power", &RunSnapshot::command_power, "StandController.command_power [W].")
       .def_ro("tick_p50", &RunSnapshot::tick_p50,
               "Latency from waking up to the command sent [us], median.")
@@ -131,7 +138,7 @@ void bind_snapshot(nb::module_& m) {
 }
 
 // Python runs signal handlers only in its main thread and between bytecode instructions. So the
-// loop gets its own thread, and this one polls for signals.
+// loop runs in a thread of its own, and the calling thread polls for signals.
 void run_and_handle_signals(StandRunner& runner) {
   std::future<void> loop = std::async(std::launch::async, [&runner] { runner.run(); });
   const auto ended = [&loop] {
@@ -151,7 +158,8 @@ void run_and_handle_signals(StandRunner& runner) {
 void bind_runner(nb::module_& m) {
   nb::class_<RunOptions>(
       m, "RunOptions",
-      "Options of a StandRunner. StandRunner() raises Error if one is out of range.")
+      "Options of a StandRunner. StandRunner() raises Error if an option is out of\n"
+      "range.")
       .def(
           "__init__",
           [](RunOptions* o, double rate, double duration, int power_level, bool remote,
@@ -162,21 +170,23 @@ void bind_runner(nb::module_& m) {
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
           "power_level"_a = 1, "remote"_a = true, "connect_timeout"_a = 5.0,
           "start"_a = Start::kStanding,
-          "operator_timeout"_a = std::numeric_limits<double>::infinity(), "log_time"_a = 0.0)
+          "operator_timeout"_a = std::numeric_limits<double>::infinity(), "log_time"_a = 0.0,
+          "Create options; the arguments are the attributes.")
       .def_rw("rate", &RunOptions::rate, "Rate of the control loop [Hz], 100 .. 1000.")
       .def_rw("duration", &RunOptions::duration,
-              "Time from first standing until finish() is called [s]; inf: the run ends only\n"
-              "with finish() or stop().")
+              "Time from first standing until finish() is called [s].\n\n"
+              "inf: the run ends only with finish() or stop().")
       .def_rw("power_level", &RunOptions::power_level,
-              "Level of Safety.power_protect(), 1 .. 10; 0 switches it off (start STANDING\n"
-              "only).")
+              "Level of Safety.power_protect(), 1 .. 10. 0 switches the protection off (start\n"
+              "STANDING only).")
       .def_rw("remote", &RunOptions::remote,
               "True if the sticks of the remote move the body and button B damps.")
       .def_rw("connect_timeout", &RunOptions::connect_timeout,
               "Longest wait for the first valid LowState [s].")
       .def_rw("start", &RunOptions::start,
-              "State of the robot at the start. STANDING: the runner takes it over at once.\n"
-              "LYING: it must pass the arming checks first.")
+              "State of the robot at the start.\n\n"
+              "STANDING: the runner takes over the robot at once. LYING: the robot must pass\n"
+              "the arming checks first, and power_level must be 1 .. 10.")
       .def_rw("operator_timeout", &RunOptions::operator_timeout,
               "Time without heartbeat() after which the robot sits down [s], at least 0.01.\n\n"
               "inf: no operator is needed. Call heartbeat() from a thread other than that of\n"
@@ -231,22 +241,24 @@ void bind_runner(nb::module_& m) {
            "The loop ends after stop() or finish(), when the duration is over, if no valid\n"
            "LowState arrives within connect_timeout, or if the robot uses another\n"
            "generation.\n\n"
-           "The loop runs in a thread of its own. Ctrl-C calls finish(), a second Ctrl-C\n"
-           "stop(); then KeyboardInterrupt is raised. Raises Error if run() was called\n"
-           "before.")
+           "The loop runs in a thread of its own. The first Ctrl-C calls finish(), the next\n"
+           "Ctrl-C calls stop(). After the loop has ended, KeyboardInterrupt is raised.\n"
+           "Raises Error if run() was called before.")
       .def("request", &StandRunner::request, "mode"_a,
-           "Request a mode, see Supervisor.request(). From any thread.")
-      .def("arm", &StandRunner::arm, "Arm the robot, see Supervisor.arm(). From any thread.")
+           "Request a mode, see Supervisor.request(). From any thread. Returns the\n"
+           "RequestStatus.")
+      .def("arm", &StandRunner::arm,
+           "Arm the robot, see Supervisor.arm(). From any thread. Returns the RequestStatus.")
       .def("finish", &StandRunner::finish,
            "End the run. With RunOptions.start LYING the robot first sits down; with\n"
-           "STANDING this is stop(). From any thread.")
+           "STANDING, this is stop(). From any thread.")
       .def("stop", &StandRunner::stop, "Damp and end the run. From any thread.")
       .def("damp", &StandRunner::damp, "Latch damping; the run continues. From any thread.")
       .def("heartbeat", &StandRunner::heartbeat,
            "Signal that the operator is present, see RunOptions.operator_timeout.\n\n"
            "From any thread except that of the loop. Real-time: yes.")
       .def("rearm", &StandRunner::rearm,
-           "Call arm(); RunSnapshot.refused_rearms counts refusals. From any thread.")
+           "Call arm() and count refusals in RunSnapshot.refused_rearms. From any thread.")
       .def("set_gains", &StandRunner::set_gains, "gains"_a,
            "Set the gains, see StandController.set_gains(); they take effect in the next\n"
            "tick.\n\n"
@@ -262,7 +274,7 @@ void bind_runner(nb::module_& m) {
            "after the robot last moved or stood. So the ticks before damping are not\n"
            "overwritten while damping lasts. Raises Error while run() is running.")
       .def("snapshot", &StandRunner::snapshot,
-           "Return a copy of the state last published. From any thread.")
+           "Return a copy of the last published snapshot. From any thread.")
       .def_prop_ro("real_time", &StandRunner::real_time,
                    "Description of the scheduling and memory locking that run() got; empty\n"
                    "before run().")

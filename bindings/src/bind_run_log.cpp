@@ -47,7 +47,7 @@ Bytes bytes(const RunLog& log, Struct RunTick::* member) {
 void bind_run_log(nb::module_& m) {
   nb::class_<RunLog>(m, "RunLog",
                      "Last ticks of a run of a StandRunner, oldest first; n = len(log).\n\n"
-                     "Every array is a copy, made when it is read.")
+                     "Every array is a copy, made when the attribute is read.")
       .def("__len__", &RunLog::size)
       .def_prop_ro(
           "time",
@@ -60,23 +60,22 @@ void bind_run_log(nb::module_& m) {
           [](const RunLog& log) {
             return column<bool>(log, [](const RunTick& t) { return t.has_new_state; });
           },
-          nb::rv_policy::automatic, "Whether a new LowState arrived in this tick, shape (n,).")
+          nb::rv_policy::automatic,
+          "Whether a new LowState arrived in the tick, booleans, shape (n,).")
       .def_prop_ro(
           "mode",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.mode; });
           },
           nb::rv_policy::automatic,
-          "Mode of the supervisor after the tick, as an integer, shape\n"
-          "(n,).")
+          "Mode of the supervisor after the tick, as an integer, shape (n,).")
       .def_prop_ro(
           "damping_fault",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.damping_fault; });
           },
           nb::rv_policy::automatic,
-          "FaultId for which the supervisor last latched damping, as an integer, shape\n"
-          "(n,).")
+          "FaultId for which damping was last latched, as an integer, shape (n,).")
       .def_prop_ro(
           "samples", [](const RunLog& log) { return bytes(log, &RunTick::state); },
           nb::rv_policy::automatic,

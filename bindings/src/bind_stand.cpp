@@ -25,16 +25,17 @@ void bind_body_reference(nb::module_& m) {
           [](BodyReference* r, double x, double y, double height, double roll, double pitch,
              double yaw) { new (r) BodyReference{x, y, height, roll, pitch, yaw}; },
           "x"_a = 0.0, "y"_a = 0.0, "height"_a = 0.0, "roll"_a = 0.0, "pitch"_a = 0.0,
-          "yaw"_a = 0.0)
-      .def_rw("x", &BodyReference::x, "Forward [m].")
-      .def_rw("y", &BodyReference::y, "To the left [m].")
-      .def_rw("height", &BodyReference::height, "Out of the ground [m].")
-      .def_rw("roll", &BodyReference::roll, "About the forward axis [rad].")
-      .def_rw("pitch", &BodyReference::pitch, "About the left axis [rad].")
-      .def_rw("yaw", &BodyReference::yaw, "About the ground normal [rad].");
+          "yaw"_a = 0.0, "Create a pose; the arguments are the attributes.")
+      .def_rw("x", &BodyReference::x, "Displacement forward [m].")
+      .def_rw("y", &BodyReference::y, "Displacement to the left [m].")
+      .def_rw("height", &BodyReference::height,
+              "Displacement along the ground normal, out of the ground [m].")
+      .def_rw("roll", &BodyReference::roll, "Rotation about x, forward [rad].")
+      .def_rw("pitch", &BodyReference::pitch, "Rotation about y, to the left [rad].")
+      .def_rw("yaw", &BodyReference::yaw, "Rotation about z, the ground normal [rad].");
   nb::enum_<ReachLimit>(m, "ReachLimit", "Limit that stops the body reference before its target.")
       .value("NONE", ReachLimit::kNone,
-             "No limit: the reference is at the target or moves towards it.")
+             "No limit; the reference is at the target or moves towards it.")
       .value("JOINT", ReachLimit::kJoint,
              "A joint would come closer than the gain reach_joint_margin to an end of its\n"
              "motion_range().")
@@ -48,31 +49,31 @@ void bind_body_reference(nb::module_& m) {
       .value("NOT_FINITE", ReachLimit::kNotFinite,
              "The target has a NaN or an infinity. The previous target stays in force.");
   nb::class_<ReachStatus>(m, "ReachStatus", "Limit that stops the body reference, and its motor.")
-      .def_ro("limit", &ReachStatus::limit, "The limit.")
+      .def_ro("limit", &ReachStatus::limit, "Limit that stops the reference, or NONE.")
       .def_ro("motor", &ReachStatus::motor,
-              "SDK number of the joint (limit JOINT) or of the hip of the leg (FOOT_HEIGHT); -1\n"
-              "for all other limits.");
+              "SDK number of the joint (JOINT) or of the hip of the leg (FOOT_HEIGHT); -1 for\n"
+              "other limits.");
 }
 
 void bind_fallback_level(nb::module_& m) {
   nb::enum_<FallbackLevel>(
       m, "FallbackLevel",
       "Where a command comes from, the best source first.\n\n"
-      "The levels in this order are the fallback chain. A tick tries them until one\n"
-      "gives a command.")
+      "This order is the fallback chain. A tick tries the levels in this order until\n"
+      "one level gives a command.")
       .value("SOLVED", FallbackLevel::kSolved,
              "The whole-body QP, started from the active set of the last tick.")
       .value("COLD_SOLVE", FallbackLevel::kColdSolve,
-             "The same QP again, from a cold start and with a tolerance ten times larger.")
+             "The same QP again, from a cold start and with ten times the tolerance.")
       .value("FORCES", FallbackLevel::kForces,
-             "No QP: the forces of the last solution. The change of the desired wrench since\n"
-             "then is shared among the feet and added.")
+             "No QP, but the forces of the last solution. The change of the desired wrench\n"
+             "since then is shared among the feet and added.")
       .value("LAST_FORCES", FallbackLevel::kLastForces,
              "Torques from the forces of the last solution and the present Jacobians.")
       .value("GRAVITY", FallbackLevel::kGravity,
-             "Forces that carry the weight, shared among the feet, and joint damping.")
+             "Torques that hold the weight of the robot, and damping by the motors.")
       .value("HOLD", FallbackLevel::kHold,
-             "The last command again, because the present sample is unusable.")
+             "The last command again, because no other level gave a command.")
       .value("DAMPING", FallbackLevel::kDamping, "The motors brake by themselves.");
 }
 
@@ -85,33 +86,35 @@ void bind_controller(nb::module_& m) {
             new (o) StandOptions{motor_damping, delay, form, power_limit};
           },
           "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = QpForm::kAuto,
-          "power_limit"_a = StandOptions().power_limit)
+          "power_limit"_a = StandOptions().power_limit,
+          "Create options; the arguments are the attributes.")
       .def_rw("motor_damping", &StandOptions::motor_damping,
-              "Kd of every command, with dq = 0; [N.m.s/rad], joint-side, 0 .. 50.\n\n"
+              "Kd of every command [N.m.s/rad], joint-side, with dq = 0; 0 .. 50.\n\n"
               "0 is pure torque mode. Robots whose knees vibrate in pure torque mode may need a\n"
               "value above 0.")
       .def_rw("delay", &StandOptions::delay,
               "Time from a measurement to the moment when the command computed from it acts\n"
-              "[s], 0 .. 0.05; identify_delay() measures this time.\n\n"
-              "The state is predicted over this time with the commands already sent. Prediction\n"
-              "amplifies sensor noise, so leave it at 0 for delays of up to a few ticks. In\n"
-              "simulation no robot stood with more than 0.03. At 0 nothing is predicted, and\n"
-              "the estimator compares each sample with the command sent two periods earlier:\n"
-              "one period of delay for the command and one for the sample, as over the SDK's\n"
-              "link.")
-      .def_rw("form", &StandOptions::form, "Form of the whole-body QP.")
+              "[s], 0 .. 0.05.\n\n"
+              "identify_delay() measures this time. The controller predicts the state over this\n"
+              "time from the commands already sent. Prediction amplifies sensor noise, so leave\n"
+              "the option at 0 if the real delay is at most a few ticks. In simulation no robot\n"
+              "stood with a delay above 0.03 s.\n\n"
+              "At 0 nothing is predicted, and the estimator compares the sample of tick k with\n"
+              "the command of tick k - 3, which acted while the sample was measured: over the\n"
+              "SDK's link, commands and samples each take one period.")
+      .def_rw("form", &StandOptions::form, "Form of the whole-body QP, AUTO, CONDENSED or GENERAL.")
       .def_rw("power_limit", &StandOptions::power_limit,
-              "Largest power of a command [W], sum |tau dq| with the motors' damping included,\n"
-              "at the joint velocities for which the command is computed. Must be > 0; inf\n"
-              "switches the limit off.\n\n"
-              "Above the limit, the torques are scaled towards those that hold the robot\n"
-              "against gravity. If these alone exceed the limit, the command is not scaled,\n"
-              "because a robot with too little torque falls, and its motors then take even more\n"
-              "power. Finally, the torques of runaway legs are limited: the power of a leg may\n"
-              "rise by at most a quarter of the limit within the next 15 ms, extrapolated from\n"
-              "the acceleration of its joints. With periods of 10 ms and more, runaway legs are\n"
-              "not detected.\n\n"
-              "Set the limit below that of Safety.power_protect(), at 0.9 of it for example,\n"
+              "Largest power of a command [W], > 0; inf switches the limit off.\n\n"
+              "The power is sum ``|tau dq|`` with the motors' damping included, at the joint\n"
+              "velocities for which the command is computed. Above the limit, the torques are\n"
+              "scaled towards the holding torques, which hold the robot against gravity. If the\n"
+              "holding torques alone exceed the limit, the command is not scaled, because a\n"
+              "robot with too little torque falls, and its motors then take even more power.\n"
+              "Finally, the torques of runaway legs are limited: the power of a leg may rise by\n"
+              "at most a quarter of the limit within the next 15 ms, extrapolated from the\n"
+              "acceleration of its joints. With periods of 10 ms and more, runaway legs are not\n"
+              "detected.\n\n"
+              "Set this limit below that of Safety.power_protect(), for example at 0.9 of it,\n"
               "but not far below the power that the motions take. A robot that lacks power for\n"
               "long falls.");
   nb::class_<StandController>(
@@ -122,12 +125,14 @@ void bind_controller(nb::module_& m) {
       "The first good samples latch the pose of the body relative to the feet. Commands\n"
       "are in torque mode: motors 0 .. 11 have mode 0x0A, q = PosStopF, dq = VelStopF,\n"
       "Kp = Kd = 0 and the torques of the QP.\n\n"
-      "If the solve fails, the tick goes down the fallback chain, see FallbackLevel. If\n"
-      "the sample is unusable, the last command is repeated. Kd is above 0 in three\n"
-      "cases: StandOptions.motor_damping is above 0, the motor belongs to a lost leg,\n"
-      "or the level is GRAVITY or DAMPING. At most 10 ms may pass without a solved\n"
-      "command; then the motors damp (dq = 0, Kd > 0, tau = 0). This damping is latched\n"
-      "until reset(). All times are measured with LowState.tick.\n\n"
+      "If the solve fails, the tick tries the fallback levels in order, see\n"
+      "FallbackLevel. If the sample is unusable or the robot has fallen, the last\n"
+      "command is repeated. If the estimate diverges, or after a gap of more than\n"
+      "100 ms, the motors damp at once. Commands have Kd > 0 only with\n"
+      "StandOptions.motor_damping, for a lost leg, and at the levels GRAVITY and\n"
+      "DAMPING. At most 10 ms may pass without a solved command; then the motors damp\n"
+      "(dq = 0, Kd > 0, tau = 0). This damping is latched until reset(). All times are\n"
+      "measured with LowState.tick.\n\n"
       "Assumes twelve joints on a free base, spherical feet, and one ground plane under\n"
       "all feet, whose normal is estimated. Not thread-safe.")
       .def(
@@ -153,28 +158,28 @@ void bind_controller(nb::module_& m) {
             return command;
           },
           "low_state"_a,
-          "Compute one tick. An exception of a Python task is raised after the tick; no\n"
-          "other is raised.\n\n"
-          "Real-time: yes, if the custom tasks are.\n\n"
+          "Compute one tick.\n\n"
+          "The controller raises no exception. If a Python task raised an exception, this\n"
+          "exception is raised after the tick. Real-time: yes, if the custom tasks are.\n\n"
           "Args:\n"
           "    low_state: Newest sample; its tick must advance.\n\n"
           "Returns:\n"
           "    The command to send, a copy. status and fallback_level report its quality.")
       .def("set_body_reference", &StandController::set_body_reference, "target"_a,
            "Set the target pose of the body.\n\n"
-           "The reference moves there with limited speed and acceleration, and stops at the\n"
-           "limits of ReachLimit. A target with a NaN or an infinity is ignored, and reach\n"
-           "reports NOT_FINITE. Real-time: yes.")
+           "The reference moves to the target with limited speed and acceleration, and stops\n"
+           "at the limits of ReachLimit. A target with a NaN or an infinity is ignored, and\n"
+           "reach reports NOT_FINITE. Real-time: yes.")
       .def_prop_ro("body_reference", &StandController::body_reference,
                    "Present body reference, which moves towards the target.")
       .def_prop_ro("reach", &StandController::reach,
-                   "Limit that stops the body reference before its target.")
+                   "Limit that stops the body reference before its target, a ReachStatus.")
       .def("declare_leg_lost", &StandController::declare_leg_lost, "leg"_a,
            "Give up a leg, 0 .. 3, until reset().\n\n"
            "Its foot carries no load from now on, its motors damp, and the centre of mass\n"
            "moves over the other three feet. The call is ignored if a leg is already lost or\n"
            "leg is not 0 .. 3. Real-time: yes.")
-      .def_prop_ro("lost_leg", &StandController::lost_leg, "The leg that was given up, or -1.")
+      .def_prop_ro("lost_leg", &StandController::lost_leg, "Leg that was given up, 0 .. 3, or -1.")
       .def("capture_margin_without", &StandController::capture_margin_without, "leg"_a,
            "Compute the distance [m] from the capture point to the nearest edge of the\n"
            "support triangle that remains without `leg`.\n\n"
@@ -184,25 +189,30 @@ void bind_controller(nb::module_& m) {
       .def("add_task", &StandController::add_task, "task"_a,
            "Add a custom task, in force from the next tick on.\n\n"
            "Raises Error if task is None or its rows() is not 1 .. 1000. Real-time: no.")
-      .def_prop_ro("status", &StandController::status,
-                   "Status of the last tick: OK, SATURATED, or the reason why the QP gave no\n"
-                   "command; DAMPING while damping is latched.")
-      .def_prop_ro("fault", &StandController::fault,
-                   "Status of the last tick that gave no usable command; kept while damping is\n"
-                   "latched, OK after reset().")
+      .def_prop_ro(
+          "status", &StandController::status,
+          "Status of the last tick.\n\n"
+          "OK, SATURATED, or the reason why the QP gave no command. DAMPING while damping\n"
+          "is latched.")
+      .def_prop_ro(
+          "fault", &StandController::fault,
+          "Status of the last tick without a usable command; kept while damping is latched,\n"
+          "OK after reset().")
       .def_prop_ro("fallback_level", &StandController::fallback_level,
                    "Fallback level of the last command; DAMPING before the first tick.")
       .def("fallback_count", &StandController::fallback_count, "fallback_level"_a,
-           "Return the number of ticks that ended at a fallback level, since construction.")
+           "Return the number of ticks that ended at a fallback level, since construction.\n\n"
+           "Real-time: yes.")
       .def_prop_ro(
           "state", [](const StandController& c) { return RobotState(c.state()); },
           "Estimated state, a copy.\n\n"
-          "Field friction is the share of RobotConfig.friction that the QP may use. The\n"
-          "share is at most 0.7 while the capture point is more than 6 cm inside the\n"
-          "support edges, else at most 1. It is lower for a foot that slips.")
+          "After a tick that reached the QP, friction in this state is the share of\n"
+          "RobotConfig.friction that the QP could use: in general at most 0.7 while the\n"
+          "capture point is more than 6 cm inside the support edges, and less while a foot\n"
+          "slips. After any other tick it contains only the reduction for slipping feet.")
       .def_prop_ro(
           "reference", [](const StandController& c) { return Reference(c.reference()); },
-          "Reference of the last good tick, a copy.")
+          "Reference of the last tick with a good estimate, a copy.")
       .def_prop_ro(
           "qp", [](const StandController& c) { return QpProblem(c.qp()); },
           "QP that the last tick solved, a copy; see WholeBodyController.qp.")
@@ -216,16 +226,18 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro("normal_forces_from_torques", &StandController::normal_forces_from_torques,
                    "Normal force on each foot [N], computed from the joint torques, FR FL RR RL,\n"
                    "shape (4,).")
-      .def_prop_ro("has_foot_force_est", &StandController::has_foot_force_est,
-                   "True if footForceEst works on this robot: its sum has matched the load on the\n"
-                   "feet.")
+      .def_prop_ro(
+          "has_foot_force_est", &StandController::has_foot_force_est,
+          "True if footForceEst works on this robot, because its sum has matched the load\n"
+          "on the feet.")
       .def_prop_ro(
           "command_power", &StandController::command_power,
-          "Power sum |tau dq| [W] of the last command that was computed from a sample, with\n"
-          "the motors' damping included.\n\n"
-          "The joint velocities are those for which the command was computed: measured, or\n"
-          "predicted over StandOptions.delay. The power exceeds StandOptions.power_limit\n"
-          "only if the torques that hold the robot exceed this limit.")
+          "Power sum ``|tau dq|`` [W] of the last command that was computed from a sample.\n\n"
+          "The motors' damping is included. dq are the joint velocities for which the\n"
+          "command was computed: measured, or predicted over StandOptions.delay. A lost leg\n"
+          "counts with its torques before they were set to zero. The power exceeds\n"
+          "StandOptions.power_limit only if the torques that hold the robot exceed this\n"
+          "limit.")
       .def_prop_ro(
           "power_scale", &StandController::power_scale,
           "Scale s, 0 .. 1, by which power_limit reduced the torques of the last good tick.\n\n"
@@ -237,8 +249,8 @@ void bind_controller(nb::module_& m) {
           "Gains last set, a copy; see set_gains().")
       .def_prop_ro(
           "active_gains", [](const StandController& c) { return Gains(c.active_gains()); },
-          "Gains that the last tick used, a copy. After set_gains() they approach `gains`\n"
-          "within 0.1 s.")
+          "Gains of the last tick, a copy. After set_gains() they approach `gains` within\n"
+          "0.1 s.")
       .def("set_gains", &StandController::set_gains, "gains"_a,
            "Set the gains, between ticks.\n\n"
            "While the controller is active, active_gains approach the new gains within 0.1\n"

@@ -28,25 +28,25 @@ void bind_enums(nb::module_& m) {
       .value("STAND", Mode::kStand, "The StandController is in control.")
       .value("SIT", Mode::kSit, "The robot sits down. Request this mode also to abort a rise.")
       .value("DAMPING", Mode::kDamping,
-             "The motors damp until arm(), which is the only way to\n"
-             "leave this mode.");
+             "The motors damp until arm(), the only way to leave this mode.");
   nb::enum_<RiseStage>(m, "RiseStage",
                        "Stage of a rise. In all stages but UP the body lies on the ground.")
       .value("HOLD_LEGS", RiseStage::kHoldLegs, "The legs hold their own weight where they are.")
       .value("FOLD", RiseStage::kFold, "The legs fold beside the body.")
       .value("WEIGH", RiseStage::kWeigh,
-             "The hips turn outward. This is a check: hip torques that do not match the weight\n"
-             "of the legs are the fault wiring or wrong_robot.")
+             "The hips turn outward. This is a check.\n\n"
+             "Hip torques that do not match the weight of the legs are the fault WIRING or\n"
+             "WRONG_ROBOT.")
       .value("PRESS", RiseStage::kPress,
-             "The rear legs press on the ground. This is a check: if the front of the trunk\n"
-             "does not go down, the fault is wiring.")
+             "The rear legs press on the ground. This is a check.\n\n"
+             "If the front of the trunk does not go down, the fault is WIRING.")
       .value("UP", RiseStage::kUp,
              "The legs move from the folded pose through a crouch to the standing pose, or\n"
              "back.");
   nb::enum_<Start>(m, "Start", "State of the robot when the supervisor takes it over.")
       .value("LYING", Start::kLying,
-             "The robot lies and its motors damp. It must pass the\n"
-             "arming checks, then arm() must be called, then the robot\n"
+             "The robot lies and its motors damp.\n\n"
+             "The robot must pass the arming checks, then arm() must be called, then the robot\n"
              "may rise.")
       .value("STANDING", Start::kStanding,
              "The robot already stands under another controller, and would sink if torques\n"
@@ -60,21 +60,20 @@ void bind_enums(nb::module_& m) {
       .value("ACCEPTED", RequestStatus::kAccepted, "The next update() handles the request.")
       .value("NO_STATE", RequestStatus::kNoState,
              "No valid LowState has arrived, or they no longer arrive.")
-      .value("NOT_ARMED", RequestStatus::kNotArmed, "The robot is not armed: call arm() first.")
+      .value("NOT_ARMED", RequestStatus::kNotArmed, "The robot is not armed; call arm() first.")
       .value("NOT_READY", RequestStatus::kNotReady,
-             "An arming check fails, or has not passed for arming_time yet (see arming), or a\n"
-             "fault keeps the robot down.")
-      .value("LATCHED", RequestStatus::kLatched, "Damping is latched: call arm() first.")
+             "An arming check fails, or has not passed for SupervisorOptions.arming_time yet,\n"
+             "or a fault keeps the robot down; see Supervisor.arming.")
+      .value("LATCHED", RequestStatus::kLatched, "Damping is latched; call arm() first.")
       .value("OUT_OF_ORDER", RequestStatus::kOutOfOrder,
-             "The present mode does not allow this request. Allowed: RISE from PASSIVE; SIT\n"
-             "from RISE or STAND; STAND from SIT.")
+             "The present mode does not allow this request, see Supervisor.request().")
       .value("BUSY", RequestStatus::kBusy,
              "Another request or a stop is pending, or torques fade between two modes.");
 }
 
 void bind_faults(nb::module_& m) {
   nb::enum_<FaultReaction>(m, "FaultReaction", "What the supervisor does about a fault.")
-      .value("NONE", FaultReaction::kNone, "Nothing: there is no fault.")
+      .value("NONE", FaultReaction::kNone, "Nothing, because there is no fault.")
       .value("WATCH", FaultReaction::kWatch,
              "The fault is reported and counted; the robot continues.")
       .value("DEGRADE", FaultReaction::kDegrade,
@@ -91,14 +90,14 @@ void bind_faults(nb::module_& m) {
   for (const FaultInfo& info : fault_table()) {
     id.value(to_upper(to_string(info.id)).c_str(), info.id, std::string(info.meaning).c_str());
   }
-  nb::class_<FaultInfo>(m, "FaultInfo",
-                        "One row of fault_table(). id is the FaultId, name is its text, reaction\n"
-                        "is the FaultReaction.")
-      .def_ro("id", &FaultInfo::id)
-      .def_ro("reaction", &FaultInfo::reaction)
+  nb::class_<FaultInfo>(m, "FaultInfo", "One row of fault_table().")
+      .def_ro("id", &FaultInfo::id, "FaultId of the fault.")
+      .def_ro("reaction", &FaultInfo::reaction, "What the supervisor does about the fault.")
       .def_ro("detection_time", &FaultInfo::detection_time,
               "Longest time from the onset of the fault to the reaction [s].")
-      .def_prop_ro("name", [](const FaultInfo& info) { return std::string(to_string(info.id)); })
+      .def_prop_ro(
+          "name", [](const FaultInfo& info) { return std::string(to_string(info.id)); },
+          "Name of the fault, such as 'motor_weak'.")
       .def_prop_ro(
           "cleared_by", [](const FaultInfo& info) { return std::string(info.cleared_by); },
           "What ends the reaction after the fault has ended.")
@@ -132,19 +131,17 @@ void bind_faults(nb::module_& m) {
 }
 
 void bind_arming(nb::module_& m) {
-  nb::class_<ArmingCheck>(m, "ArmingCheck",
-                          "Result of one arming check; passed is true if it passed.")
+  nb::class_<ArmingCheck>(m, "ArmingCheck", "Result of one arming check.")
       .def_ro("applies", &ArmingCheck::applies,
-              "False if the check does not apply now; it then counts as passed.")
-      .def_ro("passed", &ArmingCheck::passed)
+              "False if the check does not apply now and counts as passed.")
+      .def_ro("passed", &ArmingCheck::passed, "True if the value is within the limit.")
       .def_ro("value", &ArmingCheck::value,
               "Worst value found; ArmingReport.failures() gives its unit.")
       .def_ro("limit", &ArmingCheck::limit,
               "Limit that the value is compared with, in the same unit.")
       .def_ro("motor", &ArmingCheck::motor, "SDK number of the motor with the worst value, or -1.")
       .def_ro("swapped_with", &ArmingCheck::swapped_with,
-              "SDK number of the second motor if the motor in `motor` seems swapped with\n"
-              "another; else -1.");
+              "SDK number of the second motor if `motor` seems swapped with another; else -1.");
   nb::class_<ArmingReport>(m, "ArmingReport", "Results of all arming checks of one tick.")
       .def_ro("passed_for", &ArmingReport::passed_for,
               "Time for which all checks have passed without interruption [s].")
@@ -159,7 +156,7 @@ void bind_arming(nb::module_& m) {
             }
             return checks;
           },
-          "ArmingCheck by name:\n\n"
+          "Results of the checks, a dictionary of ArmingCheck by name.\n\n"
           "- link: LowStates arrive, this tick has a new one, and fewer than 1 % are\n"
           "  missing\n"
           "- motor_mode: all twelve motors report servo mode\n"
@@ -171,7 +168,8 @@ void bind_arming(nb::module_& m) {
           "  not checked)\n"
           "- tilt: the body is nearly level\n"
           "- joints: all joints keep SupervisorOptions.joint_margin from their limits\n"
-          "- motor_order: every joint angle fits the range of its own motor\n"
+          "- motor_order: every joint angle fits the range of its own motor; else motors\n"
+          "  are swapped\n"
           "- foot_force: the sum of footForceEst is the weight; applies only to a standing\n"
           "  robot with footForceEst\n"
           "- program: the torques that hold the robot during a rise are below their limits\n"
@@ -181,15 +179,14 @@ void bind_arming(nb::module_& m) {
           [](const ArmingReport& report, const Robot& robot) {
             return describe_failures(report, robot.config());
           },
-          "robot"_a, "Describe all failed checks, one sentence a line; empty if no check failed.");
+          "robot"_a,
+          "Describe all failed checks, one sentence per line; empty if no check failed.");
 }
 
 void bind_supervisor_class(nb::module_& m) {
-  nb::class_<SupervisorOptions>(
-      m, "SupervisorOptions",
-      "Options of a Supervisor: fixed at construction, unlike gains.\n\n"
-      "start is the state of the robot at the first sample. Supervisor() raises Error\n"
-      "if an option is out of range.")
+  nb::class_<SupervisorOptions>(m, "SupervisorOptions",
+                                "Options of a Supervisor: fixed at construction, unlike gains.\n\n"
+                                "Supervisor() raises Error if an option is out of range.")
       .def(
           "__init__",
           [](SupervisorOptions* self, int power_level, double arming_time,
@@ -211,7 +208,8 @@ void bind_supervisor_class(nb::module_& m) {
           nb::kw_only(), "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
           "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,
           "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15, "stand"_a = StandOptions(),
-          "start"_a = Start::kLying, "remote"_a = true)
+          "start"_a = Start::kLying, "remote"_a = true,
+          "Create options; the arguments are the attributes.")
       .def_rw("power_level", &SupervisorOptions::power_level,
               "Level of Safety.power_protect(), 1 .. 10, which trips at 100 W times the level.\n\n"
               "Rises and descents are planned for half of this power. While the robot stands,\n"
@@ -228,17 +226,17 @@ void bind_supervisor_class(nb::module_& m) {
       .def_rw("battery_low", &SupervisorOptions::battery_low,
               "Battery charge below which the robot sits down [%].")
       .def_rw("payload_limit", &SupervisorOptions::payload_limit,
-              "Payload above which the robot sits down [kg]; inf: no limit.")
+              "Payload above which the robot sits down [kg]; inf means no limit.")
       .def_rw("operator_timeout", &SupervisorOptions::operator_timeout,
-              "Time without heartbeat() after which the robot sits down [s]; inf: no operator\n"
-              "is needed.")
+              "Time without heartbeat() after which the robot sits down [s].\n\n"
+              "inf: no operator is needed.")
       .def_rw("joint_margin", &SupervisorOptions::joint_margin,
               "Distance that joints must keep from their limits [rad], for arming and for the\n"
               "fault joint_stop.\n\n"
               "Negative: distance by which joints may exceed their limits. A fully folded calf\n"
               "rests on its stop, beyond the limits.")
       .def_rw("stand", &SupervisorOptions::stand, "Options of the StandController.")
-      .def_rw("start", &SupervisorOptions::start)
+      .def_rw("start", &SupervisorOptions::start, "State of the robot at the first sample.")
       .def_rw("remote", &SupervisorOptions::remote,
               "True if button B on the remote stops the robot.");
   nb::class_<Supervisor>(
@@ -246,8 +244,7 @@ void bind_supervisor_class(nb::module_& m) {
       "Controller that takes a robot from lying to standing and back: LowState in,\n"
       "LowCmd out.\n\n"
       "The supervisor checks the robot before arming, refuses requests that the present\n"
-      "mode does not allow, detects faults, and stops on request. mode is the present\n"
-      "Mode; armed is true if the robot is armed.\n\n"
+      "mode does not allow, detects faults, and stops on request.\n\n"
       "Rising. First the legs fold from any pose, feet beside the body and knees up.\n"
       "Then the legs move through a crouch to the standing pose. All legs follow the\n"
       "same joint path. So the feet stay in place, and the body moves above the feet\n"
@@ -257,7 +254,7 @@ void bind_supervisor_class(nb::module_& m) {
       "crouches or stands, with all joints within 0.35 rad of this path, rises from\n"
       "there without folding. Before the body leaves the ground, the folded legs are\n"
       "weighed and the rear legs press on the ground. These two checks detect the\n"
-      "faults wiring and wrong_robot. The speed is limited: the holding torques may\n"
+      "faults WIRING and WRONG_ROBOT. The speed is limited: the holding torques may\n"
       "take at most half of the power of power_level. Sitting down follows the same\n"
       "path backwards.\n\n"
       "Torques fade between modes within 0.25 s; damping after a stop or a fault starts\n"
@@ -304,8 +301,8 @@ void bind_supervisor_class(nb::module_& m) {
           "    The command to send, a copy.")
       .def("report_link_lost", &Supervisor::report_link_lost,
            "Report that no LowState arrived for too long, or that the robot restarted.\n\n"
-           "If the robot is armed, damping is latched, with the fault \"link\". Pending\n"
-           "requests are dropped. Real-time: yes.")
+           "If the robot is armed, damping is latched with the fault LINK. Pending requests\n"
+           "are dropped. Real-time: yes.")
       .def("count_samples", &Supervisor::count_samples, "received"_a, "missing"_a,
            "Report how many LowStates the link received and missed since the last call.\n\n"
            "The arming check \"link\" uses these counts. They replace the counts of\n"
@@ -316,43 +313,45 @@ void bind_supervisor_class(nb::module_& m) {
            "    missing: Number of LowStates that did not arrive; negative if LowStates\n"
            "        counted as missing arrived later.")
       .def("request", &Supervisor::request, "mode"_a,
-           "Request a mode; any thread. Real-time: yes.\n\n"
+           "Request a mode. Returns the RequestStatus.\n\n"
            "Allowed requests: RISE from PASSIVE; SIT from RISE or STAND; STAND from SIT, to\n"
-           "stand up again. Returns the RequestStatus.")
+           "stand up again. Any thread. Real-time: yes.")
       .def("arm", &Supervisor::arm,
-           "Arm the robot: allow requests, and change from latched damping to PASSIVE.\n\n"
-           "A lost leg is used again. Any thread. Real-time: yes. Returns the RequestStatus.")
+           "Arm the robot. Returns the RequestStatus.\n\n"
+           "An armed robot accepts requests. Latched damping changes to PASSIVE, and a lost\n"
+           "leg is used again. Any thread. Real-time: yes.")
       .def("stop", &Supervisor::stop,
-           "Damp at once and latch, in any mode. Any thread, also repeatedly. Real-time:\n"
-           "yes.")
+           "Damp at once and latch damping, in any mode.\n\n"
+           "Any thread, also repeatedly. Real-time: yes.")
       .def("heartbeat", &Supervisor::heartbeat,
            "Signal that the operator is present, see SupervisorOptions.operator_timeout.\n\n"
            "Any thread. Real-time: yes.")
-      .def_prop_ro("mode", &Supervisor::mode)
-      .def_prop_ro("armed", &Supervisor::armed)
+      .def_prop_ro("mode", &Supervisor::mode, "Present mode. Any thread.")
+      .def_prop_ro("armed", &Supervisor::armed, "True if the robot is armed. Any thread.")
       .def_prop_ro("damping_fault", &Supervisor::damping_fault,
-                   "FaultId for which damping was last latched; NONE after arm().")
+                   "FaultId for which damping was last latched; NONE after arm(). Any thread.")
       .def_prop_ro("faults", &Supervisor::faults,
                    "Consistent copy of the active and past faults of the last tick.")
       .def_prop_ro("arming", &Supervisor::arming,
                    "Consistent copy of the arming checks of the last tick.")
       .def_prop_ro("rise_progress", &Supervisor::rise_progress,
                    "Reference position on the path from lying (0) to standing (1).\n\n"
-                   "0 before the body rises, and in PASSIVE and DAMPING.")
+                   "The value is 0 before the body rises, and in PASSIVE and DAMPING.")
       .def_prop_ro("rise_time", &Supervisor::rise_time,
                    "Planned time from folded legs to standing [s].")
       .def_prop_ro("fading", &Supervisor::fading,
                    "True while torques fade from one mode to the next.")
-      .def_prop_ro("rise_failed", &Supervisor::rise_failed,
-                   "True if the last rise was given up: a leg could not fold, or the body did not\n"
-                   "follow.")
+      .def_prop_ro(
+          "rise_failed", &Supervisor::rise_failed,
+          "True if the last rise was given up, because a leg could not fold or the body did\n"
+          "not follow.")
       .def_prop_ro("rise_stage", &Supervisor::rise_stage,
                    "Stage of the present rise, or of the last one.")
       .def_prop_ro("command_is_fresh", &Supervisor::command_is_fresh,
                    "True if the last command was computed from the newest LowState.")
       .def_prop_ro("measured_power", &Supervisor::measured_power,
                    "Motor power in the last sample that the power protection judged [W].\n\n"
-                   "0 while the protection is off or no torques are applied.")
+                   "The value is 0 while the protection is off or no torques are applied.")
       .def("set_gains", &Supervisor::set_gains, "gains"_a,
            "Set the gains, see StandController.set_gains().\n\n"
            "The gain fold_wait takes effect at the next folding. Raises Error and changes\n"

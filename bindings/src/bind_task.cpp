@@ -57,9 +57,9 @@ void raise_pending_error() {
 void bind_task(nb::module_& m) {
   nb::class_<TaskRows>(
       m, "TaskRows",
-      "Rows of a custom task. The arrays are views: write into them, A_a[:] = ...\n\n"
+      "Rows of a custom task. The arrays are views; write into them, ``A_a[:] = ...``.\n\n"
       "The QP adds this cost to its own tasks; a are the generalised accelerations, f\n"
-      "the contact forces:\n\n"
+      "the contact forces::\n\n"
       "    1/2 sum_i weight_i (A_a a + A_f f - b)_i^2\n\n"
       "For scale: with gain weight_com_vertical = 1, an error of g/2 in the\n"
       "acceleration of the centre of mass costs 1/2. Rows whose cost is more than 1e5\n"
@@ -80,14 +80,13 @@ void bind_task(nb::module_& m) {
       .def_prop_ro(
           "weight", [](TaskRows& r) -> Eigen::Ref<Eigen::VectorXd> { return r.weight; },
           nb::rv_policy::reference_internal,
-          "Weight of each row, shape (rows,), >= 0; initially\n"
-          "1.");
+          "Weight of each row, shape (rows,), >= 0; initially 1.");
   nb::class_<Task, PythonTask>(
       m, "Task",
-      "Base class of custom tasks: subclass it and pass an instance to add_task().\n\n"
+      "Base class of custom tasks. Derive a class and pass an instance to add_task().\n\n"
       "An exception in write() ends the tick with BAD_TASK; update() raises it after\n"
       "the tick. See examples/custom_task.py.")
-      .def(nb::init<>())
+      .def(nb::init<>(), "Create a task; call this method from the __init__() of a derived class.")
       .def("rows", &Task::rows, "Return the number of rows, 1 .. 1000. Called once, by add_task().")
       .def("write", &Task::write, "state"_a, "rows"_a,
            "Write the rows for a state. Rows that are not written keep the values of the\n"
@@ -98,6 +97,6 @@ void bind_task(nb::module_& m) {
            "    state: RobotState of this tick; valid during the call only.\n"
            "    rows: TaskRows to write; valid during the call only.\n\n"
            "Returns:\n"
-           "    False to end the tick with BAD_TASK; True or None to go on. A number that is\n"
-           "    not finite, or a negative weight, also ends the tick with BAD_TASK.");
+           "    False to end the tick with BAD_TASK; True or None to continue. A number that\n"
+           "    is not finite, or a negative weight, also ends the tick with BAD_TASK.");
 }

@@ -14,13 +14,12 @@ namespace {
 
 void bind_status(nb::module_& m) {
   nb::enum_<Status>(m, "Status",
-                    "Result of a tick. update() returns errors as a Status and\n"
-                    "never raises.")
+                    "Result of a tick. A tick returns errors as a Status and never raises.")
       .value("OK", Status::kOk, "A command, or a solution, was computed.")
       .value("WAITING", Status::kWaiting, "No valid sample has arrived yet, or no tick has run.")
       .value("NON_FINITE", Status::kNonFinite,
-             "A field that is read is NaN or infinite. In a LowState, also if its magnitude\n"
-             "exceeds 1e4.")
+             "A field that is read is NaN or infinite. In a LowState, also a magnitude above\n"
+             "1e4.")
       .value("IMPLAUSIBLE", Status::kImplausible,
              "A field that is read is beyond what the robot can do or measure.")
       .value("FALLEN", Status::kFallen, "The base is tilted beyond the gain fall_tilt.")
@@ -36,21 +35,20 @@ void bind_status(nb::module_& m) {
              "The solver found no solution with small enough residuals.")
       .value("INFEASIBLE", Status::kInfeasible, "The solver reported that the QP is infeasible.")
       .value("SINGULAR", Status::kSingular,
-             "Condensed form: a leg is nearly straight, or a foot near hip height.")
-      .value("DAMPING", Status::kDamping, "Damping is latched: the motors damp until reset().")
+             "In the condensed form, a leg is nearly straight, or a foot near hip height.")
+      .value("DAMPING", Status::kDamping, "Damping is latched; the motors damp until reset().")
       .value("BAD_TASK", Status::kBadTask,
              "A custom task failed, or wrote invalid rows or rows with too large weights.")
       .value("SATURATED", Status::kSaturated,
              "The command may be sent; a motor or the power is at its limit.")
       .value("DIVERGED", Status::kDiverged,
-             "The state estimate diverged: no motion explains the samples.");
+             "The state estimate diverged, because no motion explains the samples.");
   m.def("is_usable", &is_usable, "status"_a,
         "Return whether a tick with this status gave a command to send. Real-time: yes.");
   nb::enum_<QpForm>(m, "QpForm",
                     "Form of the whole-body QP: how the equations of motion are eliminated.")
       .value("AUTO", QpForm::kAuto,
-             "CONDENSED while this form is valid, else GENERAL, with\n"
-             "hysteresis.")
+             "CONDENSED while this form is valid, else GENERAL, with hysteresis.")
       .value("CONDENSED", QpForm::kCondensed,
              "The variables are the contact forces. If a leg is nearly singular, the status is\n"
              "SINGULAR.")
@@ -62,8 +60,8 @@ void bind_status(nb::module_& m) {
       .value("BASE", BodyPoint::kBase, "The origin of the base.");
 }
 
-// Vectors are returned as views. They can be set from anything that numpy converts to a vector of
-// the right size; else the error names the field.
+// Getters return vectors as views. Setters accept anything that numpy converts to a vector of the
+// right size; for other values they raise an error that names the field.
 template <typename Struct, typename Vector>
 auto get(Vector Struct::* member) {
   return [member](Struct& s) -> Vector& { return s.*member; };
@@ -94,34 +92,40 @@ Quaternion from_xyzw(const Eigen::Vector4d& q) {
 }
 
 void bind_robot_state(nb::module_& m) {
-  nb::class_<RobotState>(
-      m, "RobotState",
-      "State of the robot: pose, motion, contacts and external wrench.\n\n"
-      "RobotState(nq, nv) is at rest, with the base level at the world origin. It\n"
-      "raises Error unless nq >= 7 and nv >= 6. Arrays are writable numpy views; an\n"
-      "assignment of another shape raises ValueError.")
-      .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18)
+  nb::class_<RobotState>(m, "RobotState",
+                         "State of the robot: pose, motion, contacts and external wrench.\n\n"
+                         "Arrays are writable numpy views; an assignment of another shape raises\n"
+                         "ValueError.")
+      .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18,
+           "Create a state at rest, with the base level at the world origin.\n\n"
+           "Raises Error unless nq >= 7 and nv >= 6.")
       .def_prop_rw("q", get(&RobotState::q), set("q", &RobotState::q),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Pinocchio's q: position [m], quaternion x y z w, joints [rad]; shape (nq,).")
+                   "Generalised position q of Pinocchio, shape (nq,).\n\n"
+                   "Position of the base in the world [m], quaternion x y z w from base to world\n"
+                   "axes, joint angles [rad].")
       .def_prop_rw("v", get(&RobotState::v), set("v", &RobotState::v),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Pinocchio's v: twist of the base in base axes, joint velocities; shape (nv,).")
-      .def_prop_rw("contact", get(&RobotState::contact), set("contact", &RobotState::contact),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Contact confidence of each foot, 0 .. 1, FR FL RR RL, shape (4,).\n\n"
-                   "While the confidence of a stance foot is 0, the gains force_lost_contact and\n"
-                   "share_lost_contact limit its load. To lift a foot, use FootReference.stance.")
+                   "Generalised velocity v of Pinocchio, shape (nv,).\n\n"
+                   "Linear [m/s] and angular [rad/s] velocity of the base in base axes, joint\n"
+                   "velocities [rad/s].")
+      .def_prop_rw(
+          "contact", get(&RobotState::contact), set("contact", &RobotState::contact),
+          nb::for_getter(nb::rv_policy::reference_internal),
+          "Contact confidence of each foot, 0 .. 1, FR FL RR RL, shape (4,).\n\n"
+          "While the confidence of a stance foot is 0, the gains force_lost_contact and\n"
+          "share_lost_contact limit its load; between 0 and 1 the limits are interpolated.\n"
+          "To lift a foot, use FootReference.stance.")
       .def_prop_rw("f_external", get(&RobotState::f_external),
                    set("f_external", &RobotState::f_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "External force through the centre of mass [N], world axes, shape (3,): pushes\n"
-                   "and payload.")
+                   "External force through the centre of mass [N], world axes, shape (3,).\n\n"
+                   "Pushes and payload are included.")
       .def_prop_rw("f_sustained", get(&RobotState::f_sustained),
                    set("f_sustained", &RobotState::f_sustained),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Sustained part of f_external [N], world axes, shape (3,): a payload.\n\n"
-                   "The holding torques include this force.")
+                   "Sustained part of f_external [N], world axes, shape (3,).\n\n"
+                   "A payload causes this force. The holding torques include it.")
       .def_prop_rw("moment_external", get(&RobotState::moment_external),
                    set("moment_external", &RobotState::moment_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
@@ -139,10 +143,10 @@ void bind_reference(nb::module_& m) {
   nb::class_<FootReference>(
       m, "FootReference",
       "Reference of one foot, in the world frame of RobotState. Arrays are writable\n"
-      "views.")
-      .def(nb::init<>())
+      "numpy views.")
+      .def(nb::init<>(), "Create a stance foot at the origin, at rest.")
       .def_rw("stance", &FootReference::stance,
-              "True for a stance foot; False for a swing foot, which carries no force.")
+              "True for a stance foot; False for a swing foot, planned without force.")
       .def_rw("load", &FootReference::load,
               "Planned load, 0 .. 1. Ramp it up to make contact and down to break contact.")
       .def_prop_rw("p_world", get(&FootReference::p_world), set("p_world", &FootReference::p_world),
@@ -162,8 +166,9 @@ void bind_reference(nb::module_& m) {
                         "Desired motion of the robot in the world frame of RobotState.\n\n"
                         "A planner writes a Reference in each tick. Arrays are writable numpy\n"
                         "views.")
-      .def(nb::init<>())
-      .def_rw("body_point", &Reference::body_point, "Point that the position task moves.")
+      .def(nb::init<>(), "Create a reference at rest at the world origin.")
+      .def_rw("body_point", &Reference::body_point,
+              "Point of the body that the position task moves.")
       .def_prop_rw("p_com", get(&Reference::p_com), set("p_com", &Reference::p_com),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Centre of mass [m], shape (3,); used if it is the body point.")
@@ -186,16 +191,17 @@ void bind_reference(nb::module_& m) {
           "quat_world_base",
           [](const Reference& r) { return Eigen::Vector4d(r.R_world_base.coeffs()); },
           [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_xyzw(q); },
-          "Orientation of the base, quaternion x y z w as in RobotState.q[3:7]; a copy.\n\n"
-          "Raises Error unless it has unit length.")
+          "Orientation of the base, quaternion x y z w as in ``RobotState.q[3:7]``; a copy.\n\n"
+          "Assignment raises Error unless the quaternion has unit length.")
       .def_prop_rw("w_world_base", get(&Reference::w_world_base),
                    set("w_world_base", &Reference::w_world_base),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Angular velocity of the base [rad/s], world axes, shape (3,).")
-      .def_prop_rw("alpha_world_base", get(&Reference::alpha_world_base),
-                   set("alpha_world_base", &Reference::alpha_world_base),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Feed-forward angular acceleration [rad/s^2], world axes, shape (3,).")
+      .def_prop_rw(
+          "alpha_world_base", get(&Reference::alpha_world_base),
+          set("alpha_world_base", &Reference::alpha_world_base),
+          nb::for_getter(nb::rv_policy::reference_internal),
+          "Feed-forward angular acceleration of the base [rad/s^2], world axes, shape (3,).")
       .def_prop_rw(
           "L_com", get(&Reference::L_com), set("L_com", &Reference::L_com),
           nb::for_getter(nb::rv_policy::reference_internal),
@@ -211,38 +217,40 @@ void bind_reference(nb::module_& m) {
             return r.feet[leg];
           },
           "leg"_a, nb::rv_policy::reference_internal,
-          "Return the FootReference of a leg; changes to it change this object. leg: 0 FR,\n"
-          "1 FL, 2 RR, 3 RL.\n\n"
-          "Raises IndexError for another number.")
+          "Return the FootReference of a leg; changes to it change this object.\n\n"
+          "The legs are 0 FR, 1 FL, 2 RR, 3 RL. Raises IndexError for another number.")
       .def_rw("use_forces", &Reference::use_forces,
-              "True if the QP regularises the forces towards foot(i).f_world, not towards even\n"
-              "forces.")
-      .def_prop_rw("posture", get(&Reference::posture), set("posture", &Reference::posture),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Joint angles of the posture task [rad], shape (nv - 6,), order of v[6:].\n\n"
-                   "Empty: the standing pose.")
-      .def_prop_rw("ground_normal", get(&Reference::ground_normal),
-                   set("ground_normal", &Reference::ground_normal),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Ground normal, the same for all feet: unit length, pointing out of the\n"
-                   "ground, shape (3,).");
+              "True if the QP regularises the forces towards foot(i).f_world, False if towards\n"
+              "the even forces.")
+      .def_prop_rw(
+          "posture", get(&Reference::posture), set("posture", &Reference::posture),
+          nb::for_getter(nb::rv_policy::reference_internal),
+          "Joint angles of the posture task [rad], shape (nv - 6,), order of ``v[6:]``.\n\n"
+          "An empty array selects the standing pose.")
+      .def_prop_rw(
+          "ground_normal", get(&Reference::ground_normal),
+          set("ground_normal", &Reference::ground_normal),
+          nb::for_getter(nb::rv_policy::reference_internal),
+          "Ground normal, the same for all feet, shape (3,); unit length, pointing out of\n"
+          "the ground.");
 }
 
 void bind_solution(nb::module_& m) {
   nb::class_<Solution>(m, "Solution",
                        "Solution of the whole-body QP.\n\n"
-                       "For a status other than OK and SATURATED, all fields but iterations and\n"
-                       "residuals are those of the last good tick.")
+                       "If the status is neither OK nor SATURATED, all fields other than status,\n"
+                       "iterations and residuals keep the values of the last good tick.")
       .def_ro("status", &Solution::status, "Result of the tick.")
-      .def_ro("form", &Solution::form, "Form of the QP that was solved: CONDENSED or GENERAL.")
+      .def_ro("form", &Solution::form, "Form of the QP that was solved, CONDENSED or GENERAL.")
       .def_ro("accelerations", &Solution::accelerations,
-              "Generalised accelerations, shape (nv,), Pinocchio's order and base axes.")
+              "Generalised accelerations, shape (nv,), Pinocchio's order.\n\n"
+              "The acceleration of the base is spatial, in base axes.")
       .def_ro("forces", &Solution::forces,
               "Ground force on each foot [N], world axes, shape (3, 4), FR FL RR RL.")
       .def_ro("torques", &Solution::torques,
-              "Joint torques [N.m], shape (nv - 6,), order of v[6:].")
+              "Joint torques [N.m], shape (nv - 6,), order of ``v[6:]``.")
       .def_ro("clipped_torque", &Solution::clipped_torque,
-              "Largest amount by which a torque was clipped at a motor limit [N.m].")
+              "Largest amount clipped from a torque at a motor limit [N.m].")
       .def_ro("torque_limit_violation", &Solution::torque_limit_violation,
               "Largest slack of the torque limits, as a share of tau_max.")
       .def_ro("joint_limit_violation", &Solution::joint_limit_violation,
@@ -250,13 +258,14 @@ void bind_solution(nb::module_& m) {
               "[rad/s^2].")
       .def_ro("hold_down_violation", &Solution::hold_down_violation,
               "Largest slack of the hold-down forces [N].")
-      .def_ro("iterations", &Solution::iterations, "Number of inner iterations of the solver.")
+      .def_ro("iterations", &Solution::iterations,
+              "Number of changes of the active set plus iterations of ProxQP.")
       .def_ro("primal_residual", &Solution::primal_residual,
-              "Primal residual of the scaled QP, computed by Surefoot and not taken from the\n"
-              "solver library.")
+              "Largest violation of a constraint of the scaled QP, computed by Surefoot and not\n"
+              "taken from the solver library.")
       .def_ro("dual_residual", &Solution::dual_residual,
-              "Dual residual of the scaled QP, computed by Surefoot and not taken from the\n"
-              "solver library.");
+              "Largest entry of the gradient of the scaled QP's Lagrangian, computed by\n"
+              "Surefoot and not taken from the solver library.");
 }
 
 }  // namespace

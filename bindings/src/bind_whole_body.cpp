@@ -22,24 +22,31 @@ void bind_options(nb::module_& m) {
           [](WholeBodyOptions* o, QpForm form, double tolerance) {
             new (o) WholeBodyOptions{form, tolerance};
           },
-          "form"_a = QpForm::kAuto, "tolerance"_a = 1e-6)
-      .def_rw("form", &WholeBodyOptions::form, "Form of the QP: AUTO, CONDENSED or GENERAL.")
+          "form"_a = QpForm::kAuto, "tolerance"_a = 1e-6,
+          "Create options; the arguments are the attributes.")
+      .def_rw("form", &WholeBodyOptions::form, "Form of the QP, AUTO, CONDENSED or GENERAL.")
       .def_rw("tolerance", &WholeBodyOptions::tolerance,
-              "Largest residual of an accepted solution of the scaled QP, 1e-14 .. 1e-3.");
+              "Tolerance of the residuals of the scaled QP, 1e-14 .. 1e-3.");
 }
 
 void bind_qp_problem(nb::module_& m) {
-  nb::class_<QpProblem>(m, "QpProblem",
-                        "Quadratic program.\n\n"
-                        "    minimise  1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u\n\n"
-                        "Bounds of at least 1e20 in magnitude mean no bound. Arrays are copies.")
-      .def_ro("H", &QpProblem::H, nb::rv_policy::copy, "Shape (n, n), symmetric.")
-      .def_ro("g", &QpProblem::g, nb::rv_policy::copy, "Shape (n,).")
-      .def_ro("A", &QpProblem::A, nb::rv_policy::copy, "Shape (n_eq, n).")
-      .def_ro("b", &QpProblem::b, nb::rv_policy::copy, "Shape (n_eq,).")
-      .def_ro("C", &QpProblem::C, nb::rv_policy::copy, "Shape (n_in, n).")
-      .def_ro("l", &QpProblem::l, nb::rv_policy::copy, "Shape (n_in,).")
-      .def_ro("u", &QpProblem::u, nb::rv_policy::copy, "Shape (n_in,).");
+  nb::class_<QpProblem>(
+      m, "QpProblem",
+      "Quadratic program: minimise 1/2 x'H x + g'x subject to A x = b and l <= C x <=\n"
+      "u.\n\n"
+      "Arrays are copies.")
+      .def_ro("H", &QpProblem::H, nb::rv_policy::copy,
+              "Matrix of the quadratic cost, shape (n, n), symmetric.")
+      .def_ro("g", &QpProblem::g, nb::rv_policy::copy, "Vector of the linear cost, shape (n,).")
+      .def_ro("A", &QpProblem::A, nb::rv_policy::copy, "Matrix of the equalities, shape (n_eq, n).")
+      .def_ro("b", &QpProblem::b, nb::rv_policy::copy,
+              "Right-hand side of the equalities, shape (n_eq,).")
+      .def_ro("C", &QpProblem::C, nb::rv_policy::copy,
+              "Matrix of the inequalities, shape (n_in, n).")
+      .def_ro("l", &QpProblem::l, nb::rv_policy::copy,
+              "Lower bounds of C x, shape (n_in,); <= -1e20 means no bound.")
+      .def_ro("u", &QpProblem::u, nb::rv_policy::copy,
+              "Upper bounds of C x, shape (n_in,); >= 1e20 means no bound.");
 }
 
 }  // namespace
@@ -55,15 +62,15 @@ void bind_whole_body(nb::module_& m) {
       "(centre of mass or base, orientation, angular momentum), of the posture and of\n"
       "custom tasks, and the distance of the contact forces from the even forces.\n"
       "Equality constraints: rigid-body dynamics with armature, and the desired\n"
-      "accelerations of the contact points. Two exceptions: near the support edge, the\n"
-      "joint limits of an unloaded leg are lifted in the QP and applied afterwards; in\n"
-      "the general form, the desired acceleration of the foot of a nearly singular leg\n"
-      "is a cost, not a constraint. Hard constraints: friction and largest normal force\n"
-      "of each foot, which always allow f = 0. Elastic constraints with exact\n"
-      "penalties: motor torque (torque-speed curve), joint position and velocity, and\n"
-      "hold-down. They keep the QP feasible. Finally the torques are clipped to the\n"
+      "accelerations of the contact points. One exception: in the general form, the\n"
+      "desired acceleration of the foot of a nearly singular leg is a cost, not a\n"
+      "constraint. Near the support edge, the joint limits of an unloaded leg are\n"
+      "lifted in the QP and applied afterwards. Hard constraints: friction and largest\n"
+      "normal force of each foot, which always allow f = 0. Elastic constraints with\n"
+      "exact penalties: motor torque (torque-speed curve), joint position and velocity,\n"
+      "and hold-down. They keep the QP feasible. Finally the torques are clipped to the\n"
       "motor limits; Solution.clipped_torque is the largest amount clipped.\n"
-      "docs/condensed-qp.md has the equations.\n\n"
+      "docs/explanation/condensed-qp.md has the equations.\n\n"
       "Assumes spherical feet that roll, and one ground normal for all feet. Not\n"
       "thread-safe.")
       .def(
@@ -89,16 +96,17 @@ void bind_whole_body(nb::module_& m) {
             return solution;
           },
           "state"_a, "reference"_a,
-          "Compute one tick. An exception of a Python task is raised after the tick; no\n"
-          "other is raised.\n\n"
-          "Real-time: yes, if the custom tasks are.\n\n"
+          "Compute one tick.\n\n"
+          "The controller raises no exception. If a Python task raised an exception, this\n"
+          "exception is raised after the tick. Real-time: yes, if the custom tasks are.\n\n"
           "Args:\n"
           "    state: q (nq,) and v (nv,) in Pinocchio's order; contact confidence 0 .. 1\n"
           "        per foot.\n"
           "    reference: Desired motion, in the world frame of state.\n\n"
           "Returns:\n"
-          "    The solution, a copy. For a status other than OK and SATURATED, all fields\n"
-          "    but iterations and residuals are those of the last good tick.")
+          "    The solution, a copy. If the status is neither OK nor SATURATED, all fields\n"
+          "    other than status, iterations and residuals keep the values of the last good\n"
+          "    tick.")
       .def("hold", &WholeBodyController::hold, "state"_a,
            "Return a reference that keeps the robot in its present pose.\n\n"
            "The reference has the centre of mass, base pose, contact points and posture of\n"
@@ -110,13 +118,13 @@ void bind_whole_body(nb::module_& m) {
            "Raises Error if task is None or its rows() is not 1 .. 1000. Real-time: no.")
       .def("set_gains", &WholeBodyController::set_gains, "gains"_a,
            "Set the gains, between ticks. Raises Error and changes nothing if a gain is\n"
-           "invalid.")
+           "invalid. Real-time: no.")
       .def_prop_ro(
           "gains", [](const WholeBodyController& c) { return Gains(c.gains()); },
           "Gains last set, a copy.")
       .def_prop_ro(
           "qp", [](const WholeBodyController& c) { return QpProblem(c.qp()); },
-          "Scaled QP that the last tick solved, a copy.\n\n"
+          "Scaled QP that the last tick solved, for benchmarks and debugging; a copy.\n\n"
           "If no elastic constraint is violated, this is the QP without slack variables;\n"
           "else it is the QP with slack variables.")
       .def("reset", &WholeBodyController::reset,

@@ -11,8 +11,8 @@ namespace surefoot::plant {
 using Vector3 = Eigen::Vector3d;
 using Wxyz = Eigen::Vector4d;
 
-/// Model of the vendor's attitude filter: integrates the gyroscope and corrects the tilt towards
-/// gravity. Yaw is integrated without correction, so it drifts. Source: R. Mahony, T. Hamel, J.-M.
+/// Model of the vendor's attitude filter. It integrates the gyroscope and corrects the tilt towards
+/// gravity. Yaw is not corrected, so yaw drifts. Source: R. Mahony, T. Hamel, J.-M.
 /// Pflimlin, "Nonlinear complementary filters on the special orthogonal group", IEEE TAC 53(5),
 /// 2008: the explicit filter without bias estimate.
 class MahonyFilter {
@@ -34,7 +34,8 @@ class MahonyFilter {
   void update(Vector3 gyro, const Vector3& accel, double dt) {
     const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
     const double norm = accel.norm();
-    if (norm > 1e-6) {  // [m/s^2] in free fall the accelerometer does not show the vertical
+    // Threshold in m/s^2: in free fall the accelerometer does not show the vertical.
+    if (norm > 1e-6) {
       // Correction: cross product of measured and estimated up, both in IMU axes.
       const Vector3 up(2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
       const Vector3& a = accel;
@@ -52,7 +53,7 @@ class MahonyFilter {
   double gain_;  // [1/s]
 };
 
-/// Addresses of the exact readings at the IMU's site, in MuJoCo's memory.
+/// Addresses of the exact readings at the site of the IMU, in MuJoCo's memory.
 struct ImuSite {
   const double *gyro, *accelerometer, *quaternion;
 };
@@ -66,7 +67,7 @@ struct ImuErrorModel {
   double filter_gain;                      // [1/s] gain of the attitude filter
 };
 
-/// Simulated IMU at its mount: exact, or with bias, noise and the vendor's attitude filter.
+/// Simulated IMU: exact, or with bias, noise and the vendor's attitude filter.
 class Imu {
  public:
   explicit Imu(const ImuSite& site) : site_(site), filter_({0, 0, 9.81}, 0.0) {}
@@ -78,7 +79,7 @@ class Imu {
         filter_({0, 0, 9.81}, flaws.filter_gain) {}
 
   /// Start the filter with the robot at rest. The accelerometer has its bias but no noise, because
-  /// a real filter has averaged out the noise by then.
+  /// a real filter has averaged out the noise at this time.
   void start() {
     if (real_)
       filter_ = {vector(site_.accelerometer) + flaws_.accelerometer_bias, flaws_.filter_gain};

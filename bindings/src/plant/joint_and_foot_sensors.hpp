@@ -8,12 +8,12 @@
 
 namespace surefoot::plant {
 
-/// Simulated joint encoders: quantised angles, and velocities with the low-pass filter of a motor
-/// driver and white noise. If the quantum is 0, angles and velocities are exact.
+/// Simulated joint encoders. Angles are quantised. Velocities pass the low-pass filter of a motor
+/// driver and get white noise. If the quantum is 0, angles and velocities are exact.
 class Encoders {
  public:
   /// @param quantum step of the angles [rad]; 0: exact
-  /// @param share by which the velocity filter approaches its input in a physics step, 0 .. 1
+  /// @param share share by which the velocity filter approaches its input in a physics step, 0 .. 1
   /// @param noise standard deviation of the velocities [rad/s]
   /// @param rng numpy.random.Generator
   Encoders(double quantum, double share, double noise, nb::object rng)
@@ -49,10 +49,10 @@ using Counts = Eigen::Array<std::int16_t, kLegs, 1>;
 /// footForceEst in newtons, with noise.
 class FootSensors {
  public:
-  bool counts_enabled = false, newtons_enabled = false;
+  bool counts_enabled = false, newtons_enabled = false;   ///< false: the field has zeros
   Array4 offset = Array4::Zero(), gain = Array4::Ones();  ///< counts, counts/N
-  double offset_walk = 0.0, count_noise = 0.0,
-         force_noise = 0.0;  ///< counts per reading, counts, N
+  /// Random walk of the offset [counts per reading]; noise [counts]; noise [N].
+  double offset_walk = 0.0, count_noise = 0.0, force_noise = 0.0;
 
   /// @param rng numpy.random.Generator; None: exact newtons in both fields
   explicit FootSensors(nb::object rng) : exact_(rng.is_none()), noise_(std::move(rng)) {}
@@ -78,7 +78,7 @@ class FootSensors {
     for (int leg = 0; leg < kLegs; ++leg) out[leg] = noise_.next();
     return out;
   }
-  // LowState has int16 foot forces.
+  // Round and saturate, because LowState has int16 foot forces.
   static Counts to_counts(const Array4& values) {
     return values.unaryExpr([](double x) { return std::nearbyint(x); })
         .max(-32768.0)

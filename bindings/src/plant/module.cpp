@@ -39,7 +39,10 @@ void bind_motors(nb::module_& m) {
       .def(
           "__init__",
           [](WireFormat* self, double per_tau, bool real) { new (self) WireFormat{per_tau, real}; },
-          "per_tau"_a, "real"_a)
+          "per_tau"_a, "real"_a,
+          "Args:\n"
+          "    per_tau: Counts per N.m of a torque.\n"
+          "    real: If False, values do not change.")
       .def(
           "torque",
           [](const WireFormat& w, const Array12& tau) {
@@ -48,18 +51,21 @@ void bind_motors(nb::module_& m) {
           "tau"_a, "Return torques (12,) [N.m] after transmission as int16.")
       .def("read", &WireFormat::read, "cmd"_a,
            nb::sig("def read(self, cmd: object) -> MotorCommands"),
-           "Return the motor commands of a LowCmd; a value that is not finite counts as not set.");
-  nb::class_<MotorLaw>(m, "MotorLaw",
-                       "Torque law of the motor drivers: tau' = offset - kp q' - kd dq', with "
-                       "their measured q' and dq'. All (12,). mode is the motor mode that LowState "
-                       "reports meanwhile.")
+           "Return the motor commands of a LowCmd. A value that is not finite counts as not\n"
+           "set.");
+  nb::class_<MotorLaw>(
+      m, "MotorLaw",
+      "Torque law of the motor drivers: tau' = offset - kp q' - kd dq'.\n\n"
+      "q' and dq' are the measured angles and velocities. All arrays have shape (12,).")
       .def(
           "__init__",
           [](MotorLaw* self, const Array12& offset, const Array12& kp, const Array12& kd,
              const std::optional<Modes>& mode) {
             new (self) MotorLaw{offset, kp, kd, mode.value_or(MotorLaw().mode)};
           },
-          "offset"_a, "kp"_a, "kd"_a, "mode"_a = nb::none())
+          "offset"_a, "kp"_a, "kd"_a, "mode"_a = nb::none(),
+          "Args:\n"
+          "    mode: Motor modes; None: servo mode.")
       .def_prop_ro(
           "offset", [](const MotorLaw& l) { return l.offset; },
           "Constant torques [N.m], shape (12,).")
@@ -71,11 +77,18 @@ void bind_motors(nb::module_& m) {
           "mode", [](const MotorLaw& l) { return l.mode; },
           "Motor modes that LowState reports, shape (12,).");
   m.def("command_law", &command_law, "command"_a, "brake_kd"_a,
-        "Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command. A motor that is not "
-        "in servo mode brakes with brake_kd [N.m.s/rad].");
-  nb::class_<Motors>(m, "Motors", "Simulated motors: compute joint torques from the present law.")
+        "Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command.\n\n"
+        "A motor that is not in servo mode brakes with brake_kd [N.m.s/rad].");
+  nb::class_<Motors>(m, "Motors",
+                     "Simulated motors. They compute joint torques from the present law.")
       .def(nb::init<const Array12&, const Array12&, const Array12&, double, const Array12&>(),
-           "tau_max"_a, "corner_speed"_a, "no_load_speed"_a, "share"_a, "scale"_a)
+           "tau_max"_a, "corner_speed"_a, "no_load_speed"_a, "share"_a, "scale"_a,
+           "Args:\n"
+           "    tau_max: Torque limits up to corner_speed [N.m], shape (12,).\n"
+           "    corner_speed: Velocities at which the limits start to fall [rad/s].\n"
+           "    no_load_speed: Velocities at which the limits reach zero [rad/s].\n"
+           "    share: Share by which the torque approaches its target in a step, 0 .. 1.\n"
+           "    scale: Factors on the torques of the motors, shape (12,).")
       .def_prop_rw(
           "law", [](const Motors& s) { return MotorLaw(s.law); },
           [](Motors& s, const MotorLaw& law) { s.law = law; }, "Present torque law.")
@@ -95,8 +108,8 @@ void bind_motors(nb::module_& m) {
           "step",
           [](Motors& s, const Array12& q, const Array12& dq) { return Array12(s.step(q, dq)); },
           "q"_a, "dq"_a,
-          "Advance by one physics step at joint angles q (12,) [rad] and velocities dq (12,) "
-          "[rad/s]. Return the torques (12,) [N.m].");
+          "Advance by one physics step at joint angles q (12,) [rad] and velocities dq\n"
+          "(12,) [rad/s]. Return the torques (12,) [N.m].");
 }
 
 void bind_sensors(nb::module_& m) {
@@ -106,7 +119,10 @@ void bind_sensors(nb::module_& m) {
           [](MahonyFilter* self, const Array3& a, double gain) {
             new (self) MahonyFilter(vector(a), gain);
           },
-          "accelerometer"_a, "gain"_a)
+          "accelerometer"_a, "gain"_a,
+          "Start with the tilt that an accelerometer reading (3,) [m/s^2] gives at rest.\n\n"
+          "Args:\n"
+          "    gain: Gain of the tilt correction [1/s].")
       .def_prop_ro(
           "quaternion", [](const MahonyFilter& f) { return Wxyz(f.quaternion); },
           "Quaternion w x y z from IMU to world axes, shape (4,).")
@@ -116,13 +132,19 @@ void bind_sensors(nb::module_& m) {
             f.update(vector(gyro), vector(accel), dt);
           },
           "gyro"_a, "accel"_a, "dt"_a,
-          "Advance by dt [s] with gyro (3,) [rad/s] and specific force (3,) [m/s^2], IMU axes.");
+          "Advance by dt [s] with gyro (3,) [rad/s] and specific force (3,) [m/s^2], IMU\n"
+          "axes.");
   nb::class_<Encoders>(m, "Encoders", "Simulated joint encoders.")
       .def(nb::init<double, double, double, nb::object>(), "quantum"_a, "share"_a, "noise"_a,
-           "rng"_a.none())
-      .def(
-          "step", &Encoders::step, "dq"_a,
-          "Advance the velocity filter by one physics step with the true velocities (12,) [rad/s].")
+           "rng"_a.none(),
+           "Args:\n"
+           "    quantum: Step of the angles [rad]; 0: angles and velocities are exact.\n"
+           "    share: Share by which the velocity filter approaches its input in a step.\n"
+           "    noise: Standard deviation of the velocities [rad/s].\n"
+           "    rng: numpy.random.Generator.")
+      .def("step", &Encoders::step, "dq"_a,
+           "Advance the velocity filter by one physics step with the true velocities (12,)\n"
+           "[rad/s].")
       .def(
           "read",
           [](Encoders& e, const Array12& q, const Array12& dq) {
@@ -130,18 +152,24 @@ void bind_sensors(nb::module_& m) {
           },
           "q"_a, "dq"_a, "Return the measured angles (12,) [rad] and velocities (12,) [rad/s].");
   nb::class_<FootSensors>(m, "FootSensors", "Simulated foot force sensors.")
-      .def(nb::init<nb::object>(), "rng"_a.none())
-      .def_rw("counts_enabled", &FootSensors::counts_enabled)
-      .def_rw("newtons_enabled", &FootSensors::newtons_enabled)
-      .def_rw("offset", &FootSensors::offset)
-      .def_rw("gain", &FootSensors::gain)
-      .def_rw("offset_walk", &FootSensors::offset_walk)
-      .def_rw("count_noise", &FootSensors::count_noise)
-      .def_rw("force_noise", &FootSensors::force_noise)
-      .def(
-          "read", &FootSensors::read, "normal_forces"_a,
-          "Return footForce [counts] and footForceEst [N], int16 (4,), of normal forces (4,) [N].");
-  nb::class_<ImuErrorModel>(m, "ImuErrorModel", "Constant biases, white noise and sample period.")
+      .def(nb::init<nb::object>(), "rng"_a.none(),
+           "Args:\n"
+           "    rng: numpy.random.Generator; None: exact newtons in both fields.")
+      .def_rw("counts_enabled", &FootSensors::counts_enabled,
+              "True if footForce has values, else zeros.")
+      .def_rw("newtons_enabled", &FootSensors::newtons_enabled,
+              "True if footForceEst has values, else zeros.")
+      .def_rw("offset", &FootSensors::offset, "Offsets of footForce [counts], shape (4,).")
+      .def_rw("gain", &FootSensors::gain, "Gains of footForce [counts/N], shape (4,).")
+      .def_rw("offset_walk", &FootSensors::offset_walk,
+              "Random walk of the offsets [counts per reading].")
+      .def_rw("count_noise", &FootSensors::count_noise, "Standard deviation of footForce [counts].")
+      .def_rw("force_noise", &FootSensors::force_noise, "Standard deviation of footForceEst [N].")
+      .def("read", &FootSensors::read, "normal_forces"_a,
+           "Return footForce [counts] and footForceEst [N], int16 (4,), of normal forces\n"
+           "(4,) [N].");
+  nb::class_<ImuErrorModel>(
+      m, "ImuErrorModel", "Errors of a real IMU: constant biases, white noise and a sample period.")
       .def(
           "__init__",
           [](ImuErrorModel* self, const Vector3& gyro_bias, const Vector3& accelerometer_bias,
@@ -152,7 +180,15 @@ void bind_sensors(nb::module_& m) {
                               period,    filter_gain};
           },
           "gyro_bias"_a, "accelerometer_bias"_a, "gyro_noise"_a, "accelerometer_noise"_a, "steps"_a,
-          "period"_a, "filter_gain"_a);
+          "period"_a, "filter_gain"_a,
+          "Args:\n"
+          "    gyro_bias: Bias of the gyroscope [rad/s], IMU axes, shape (3,).\n"
+          "    accelerometer_bias: Bias of the accelerometer [m/s^2], IMU axes, shape (3,).\n"
+          "    gyro_noise: Standard deviation of a sample [rad/s].\n"
+          "    accelerometer_noise: Standard deviation of a sample [m/s^2].\n"
+          "    steps: Number of physics steps per sample.\n"
+          "    period: Sample period [s].\n"
+          "    filter_gain: Gain of the attitude filter [1/s].");
 }
 
 void bind_physics(nb::module_& m) {
@@ -165,8 +201,11 @@ void bind_physics(nb::module_& m) {
             new (self) MujocoState{qpos, qvel, qacc, applied, sensordata, motor_q, motor_v};
           },
           "qpos"_a.noconvert(), "qvel"_a.noconvert(), "qacc"_a.noconvert(),
-          "qfrc_applied"_a.noconvert(), "sensordata"_a.noconvert(), "motor_q"_a, "motor_v"_a);
-  nb::class_<Sensors>(m, "Sensors", "Simulated sensors: read a LowState from a MuJoCo state.")
+          "qfrc_applied"_a.noconvert(), "sensordata"_a.noconvert(), "motor_q"_a, "motor_v"_a,
+          "Args:\n"
+          "    motor_q: Index in qpos of each motor's joint, 12 integers.\n"
+          "    motor_v: Index in qvel of each motor's joint, 12 integers.");
+  nb::class_<Sensors>(m, "Sensors", "Simulated sensors. They read a LowState from a MuJoCo state.")
       .def(
           "__init__",
           [](Sensors* self, const MujocoState& state, const WireFormat& wire,
@@ -198,7 +237,13 @@ void bind_physics(nb::module_& m) {
   nb::class_<Physics>(m, "Physics",
                       "Physics loop: MuJoCo's two half steps, with motors and sensors.")
       .def(nb::init<std::uintptr_t, std::uintptr_t, nb::object, nb::object, MujocoState>(),
-           "step1"_a, "step2"_a, "model"_a, "data"_a, "state"_a)
+           "step1"_a, "step2"_a, "model"_a, "data"_a, "state"_a,
+           "Args:\n"
+           "    step1: Address of mj_step1.\n"
+           "    step2: Address of mj_step2.\n"
+           "    model: mujoco.MjModel.\n"
+           "    data: mujoco.MjData.\n"
+           "    state: Views of data.")
       .def_prop_rw(
           "external_torque", [](const Physics& p) { return Array12(p.external_torque); },
           [](Physics& p, const Array12& torque) { p.external_torque = torque; },

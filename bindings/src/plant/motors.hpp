@@ -14,18 +14,17 @@ using Modes = Eigen::Array<std::uint8_t, kMotors, 1>;
 
 /// Commands of the twelve motors in a LowCmd, SI units, SDK motor order.
 struct MotorCommands {
-  Modes mode;
-  Array12 q, dq, tau, kp, kd;
+  Modes mode;                  ///< motor modes
+  Array12 q, dq, tau, kp, kd;  ///< [rad], [rad/s], [N.m], [N.m/rad], [N.m.s/rad]
 };
 
 /// Quantisation of commands and torques on the wire: tau is an int16 in units of 1 / per_tau N.m,
 /// Kp a uint16 in units of 1/32 and Kd in units of 1/16, truncated towards zero. Source: frames of
 /// unitree_legged_sdk (A1, Go1: 1/256 N.m; B1: 1/128), measured on the vendor's library. The
-/// vendor's library wraps values that are out of range; this model saturates them. If `real` is
-/// false, values do not change.
+/// vendor's library wraps values that are out of range; this model saturates them.
 struct WireFormat {
   double per_tau = 256.0;  ///< [counts/(N.m)] 128 on a B1
-  bool real = true;
+  bool real = true;        ///< false: values do not change
 
   /// Return a torque [N.m] after transmission.
   double torque(double tau) const {
@@ -68,8 +67,8 @@ struct MotorLaw {
 /// off. A motor that is not in servo mode ignores its command and brakes.
 /// @param brake_kd Kd of a motor that brakes [N.m.s/rad]
 inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
-  // [rad] Smallest |q| that is not a position command: PosStopF of the vendor's Python examples.
-  // Must be below PosStopF of comm.h (2.146e9).
+  // [rad] |q| from which q is not a position command: PosStopF of the vendor's Python examples. It
+  // must be below PosStopF of comm.h (2.146e9).
   constexpr double kPositionOff = 1e9;
   MotorLaw law;
   for (int i = 0; i < kMotors; ++i) {
@@ -92,7 +91,7 @@ class Motors {
   /// @param tau_max [N.m] torque limit up to corner_speed
   /// @param corner_speed [rad/s] velocity at which the limit starts to fall
   /// @param no_load_speed [rad/s] velocity at which the limit reaches zero
-  /// @param share by which the torque approaches its target in a physics step, 0 .. 1
+  /// @param share share by which the torque approaches its target in a physics step, 0 .. 1
   /// @param scale factor on the torque of each motor
   Motors(const Array12& tau_max, const Array12& corner_speed, const Array12& no_load_speed,
          double share, const Array12& scale)
@@ -106,8 +105,8 @@ class Motors {
   Array12 estimated_torque = Array12::Zero();  ///< [N.m] torque that the drivers estimate
   Array12 torque = Array12::Zero();            ///< [N.m] torque that the motors produce
 
-  /// Return the largest torque [N.m] at dq [rad/s]: tau_max up to corner_speed, then linear to zero
-  /// at no_load_speed. A motor that brakes keeps tau_max.
+  /// Return the largest torques [N.m] at dq [rad/s]: tau_max up to corner_speed, then falling
+  /// linearly to zero at no_load_speed. A motor that brakes keeps tau_max.
   Array12 max_torque(const Array12& dq) const {
     return (stall_ - slope_ * dq).min(tau_max_).max(0.0);
   }

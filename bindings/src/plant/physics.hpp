@@ -9,8 +9,8 @@ namespace surefoot::plant {
 ///
 /// The functions are called by address. So the library of MuJoCo's wheel is used, whatever its
 /// version, and nothing is linked. mj_step2 uses the results of mj_step1 for the same instant. So
-/// the motors use the present state, and after the loop all positions belong to the present. A
-/// fatal error of MuJoCo, such as an unknown solver or lack of memory, ends the process; the models
+/// the motors use the present state, and after the loop all positions belong to the same instant. A
+/// fatal error of MuJoCo, such as an unknown solver or lack of memory, ends the process. The models
 /// of this project cause no such error.
 class Physics {
  public:

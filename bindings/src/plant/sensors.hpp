@@ -13,8 +13,8 @@ using Indices = Eigen::Array<int, kMotors, 1>;
 
 /// Views of MuJoCo's memory, and the indices of the motors' joints in it.
 struct MujocoState {
-  Doubles qpos, qvel, qacc, applied, sensordata;
-  Indices motor_q, motor_v;
+  Doubles qpos, qvel, qacc, applied, sensordata;  ///< of mujoco.MjData; applied: qfrc_applied
+  Indices motor_q, motor_v;  ///< indices of the motors' joints in qpos and in qvel
 
   static Array12 gather(const Doubles& values, const Indices& at) {
     Array12 out;
@@ -26,7 +26,8 @@ struct MujocoState {
   Array12 ddq() const { return gather(qacc, motor_v); }
 };
 
-/// Simulated sensors: IMU, encoders, foot force sensors and motor torques, combined to a LowState.
+/// Simulated sensors: IMU, encoders, foot force sensors and motor torques. Their readings are
+/// combined to a LowState.
 class Sensors {
  public:
   Sensors(MujocoState state, WireFormat wire, Imu imu, Encoders encoders, FootSensors feet,

@@ -30,8 +30,8 @@ namespace {
 using LegModel = pinocchio::ModelTpl<SX, 0, LegJoints>;
 using LegData = pinocchio::DataTpl<SX, 0, LegJoints>;
 
-// Reads the entries of a column from first to last. The order of the calls defines the layout of
-// the data.
+// Reads the entries of a column one by one. The order of the calls defines the layout of the
+// column.
 struct EntryReader {
   SX symbols;
   int next = 0;
@@ -55,15 +55,15 @@ void append_symmetric(const Eigen::MatrixBase<Derived>& m, std::vector<SX>& out)
   for (Eigen::Index j = 0; j < m.cols(); ++j) append(m.col(j).head(j + 1), out);
 }
 
-// Add a field to the results, and return the vector to which its entries are appended.
+// Begin a new field, and return the vector to which the caller appends the entries of the field.
 std::vector<SX>& add_field(LegExpressions& out, const std::string& name,
                            const std::string& meaning) {
   out.fields.push_back({name, meaning, static_cast<int>(out.results.size())});
   return out.results;
 }
 
-// Build the model of a leg. Its joints are "unbounded": their coordinates are (cos, sin), which the
-// caller computes once.
+// Build the model of a leg. The joints are "unbounded": the coordinates of a joint are its cosine
+// and sine, which the caller computes once.
 LegModel leg_model(EntryReader parameters, Vector3& p_calf_foot) {
   LegModel model;
   const Matrix3 no_rotation = Matrix3::Identity();
@@ -85,9 +85,9 @@ LegModel leg_model(EntryReader parameters, Vector3& p_calf_foot) {
 }
 
 struct BaseState {
-  Vector3 v, w;     // base axes
-  Matrix3 R;        // world from base
-  Vector3 gravity;  // base axes
+  Vector3 v, w;     // linear and angular velocity, base axes
+  Matrix3 R;        // rotation from base to world axes
+  Vector3 gravity;  // acceleration of gravity, base axes
   Vector3 lever;    // foot radius times ground normal, base axes
 };
 

@@ -7,10 +7,10 @@
 
 namespace surefoot::symbolic {
 
-/// One field of the results of LegExpressions.
+/// One field of LegExpressions::results.
 struct Field {
-  std::string name, meaning;
-  int first;  ///< index of the field's first entry in the results
+  std::string name, meaning;  ///< name of the constant in the generated code, and its comment
+  int first;                  ///< index of the field's first entry in the results
 };
 
 /// Dynamics of one leg on a free base, as CasADi expressions; every member is a column.
@@ -22,13 +22,13 @@ struct LegExpressions {
   /// For hip, thigh and calf: translation of the joint; mass, lever and inertia (xx xy yy xz yz zz)
   /// of the body that the joint moves; armature. At the end: position of the foot in calf axes.
   casadi::SX parameters;
-  /// State of the base, the same for every leg: v, w (base axes), R_world_base, gravity (base
-  /// axes), and lever, which is foot radius times ground normal (base axes).
+  /// State of the base, the same for every leg: v, w, R_world_base, gravity and lever. The lever is
+  /// foot radius times ground normal. All vectors are in base axes.
   casadi::SX base;
   casadi::SX leg;  ///< cos and sin of hip, thigh, calf; then joint velocities [rad/s]
-  std::vector<casadi::SX> results;
-  std::vector<Field> fields;  ///< fields of the results, in their order
-  int summed_count;           ///< the first summed_count results are summed over the legs
+  std::vector<casadi::SX> results;  ///< entries of all fields, one after the other
+  std::vector<Field> fields;        ///< fields of the results, in order
+  int summed_count;  ///< number of results, from the first on, that are summed over the legs
 };
 
 /// Compute the expressions with Pinocchio's crba and nonLinearEffects. The leg has joint axes hip

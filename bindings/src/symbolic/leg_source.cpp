@@ -51,7 +51,7 @@ std::string constant(double value) {
                                                          : "T{} + " + digits;
 }
 
-// Return one operation on named values as C++ code.
+// Return instruction `k` of a CasADi function as a C++ expression. `work` has the names of values.
 std::string operation(const Function& f, casadi_int k, const std::vector<std::string>& work) {
   const auto in = f.instruction_input(k);
   const auto arg = [&](int i) { return work[in[i]]; };
@@ -80,7 +80,7 @@ std::string operation(const Function& f, casadi_int k, const std::vector<std::st
   }
 }
 
-// Return the instructions of a CasADi function as C++ code, with one name for each value.
+// Return the instructions of a CasADi function as C++ statements. Each value gets a name.
 std::string body(const Function& f, const std::vector<std::string>& inputs) {
   std::vector<std::string> work(f.sz_w());
   std::ostringstream text;

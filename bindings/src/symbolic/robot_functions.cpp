@@ -24,7 +24,7 @@ Function function_of_q_v(RobotSymbols& r, const SX& out, const std::string& name
   return {name, Columns{r.q, r.v}, Columns{SX::densify(out)}, Names{"q", "v"}, Names{name}};
 }
 
-// The input after q and v.
+// Third input of a function, after q and v.
 struct ThirdInput {
   SX symbol;
   std::string name;
@@ -36,7 +36,8 @@ Function function_of_motion(RobotSymbols& r, const ThirdInput& last, const SX& o
           Names{"q", "v", last.name}, Names{name}};
 }
 
-// Return the derivatives of `out`, an expression of q, v and a third input.
+// Return the derivatives of `out`, an expression of q, v and a third input, with respect to these
+// three inputs.
 Function derivatives(RobotSymbols& r, const ThirdInput& last, const SX& out,
                      const std::string& name) {
   const Columns parts = {SX::densify(r.tangent_derivative(out)),

@@ -6,9 +6,9 @@
 
 namespace surefoot::symbolic {
 
-/// Return a function of surefoot.symbolic, as the text of casadi::Function::serialize().
+/// Return a function of surefoot.symbolic, as the text that casadi::Function::serialize() writes.
 ///
-/// Throws std::invalid_argument if there is no function of that name.
+/// Throws std::invalid_argument if the name is unknown.
 /// @param model text of Robot::serialized_model()
 /// @param feet frame ids, FR FL RR RL
 /// @param name name of the function in bindings/surefoot/symbolic.py

@@ -8,22 +8,23 @@
 
 namespace surefoot::symbolic {
 
-/// CasADi symbols for the variables of a robot model, and expressions of Pinocchio's algorithms.
+/// CasADi symbols for the variables of a robot model, and the results of Pinocchio's algorithms as
+/// expressions of these symbols. surefoot.symbolic documents the results.
 ///
-/// The members are defined in two files, because each algorithm on CasADi scalars takes a gigabyte
-/// of memory to compile.
+/// The functions are defined in two files, because each algorithm on CasADi scalars takes a
+/// gigabyte of memory to compile.
 struct RobotSymbols {
   /// @param text text of Robot::serialized_model()
   /// @param feet frame ids, FR FL RR RL
   RobotSymbols(const std::string& text, const std::array<int, 4>& feet);
 
-  // robot_dynamics.cpp
+  // Defined in robot_dynamics.cpp.
   SX mass_matrix();
   SX bias();
   SX inverse_dynamics();
   SX forward_dynamics();
 
-  // robot_kinematics.cpp
+  // Defined in robot_kinematics.cpp.
   SX foot_positions();
   SX foot_jacobian();
   SX foot_drifts();
@@ -35,8 +36,8 @@ struct RobotSymbols {
 
   Model model;
   Data data;
-  std::array<int, 4> feet;
-  SX q, v, a, tau;
+  std::array<int, 4> feet;  ///< frame ids, FR FL RR RL
+  SX q, v, a, tau;          ///< symbols in Pinocchio's conventions; tau has nv entries
 };
 
 }  // namespace surefoot::symbolic

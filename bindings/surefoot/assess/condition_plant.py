@@ -14,7 +14,8 @@ from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.sim.settings import COARSE_DT
 
 # [s] Time in which the ground under a foot rises by step_m. Chosen as part of the protocol in
-# docs/reference/scorecard.md: a step of 3 cm then rises at 6 cm/s. A faster step would throw the foot up.
+# docs/reference/scorecard.md: a step of 3 cm then rises at 6 cm/s. A faster step would throw the
+# foot up.
 STEP_RISE_TIME = 0.5
 
 RobotSource = str | tuple[str, str]

@@ -10,9 +10,9 @@ import numpy as np
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.geometry.rotations import Array
 
-# Protocol of docs/reference/scorecard.md, chosen. The times are 15 and 10 time constants of the LIP (0.2 s);
-# longer times only cost run time. The tolerances exceed the motions that noise and soft contacts
-# cause (0.1 mm, 0.05 deg).
+# Protocol of docs/reference/scorecard.md, chosen. The times are 15 and 10 time constants of the LIP
+# (0.2 s); longer times only cost run time. The tolerances exceed the motions that noise and soft
+# contacts cause (0.1 mm, 0.05 deg).
 SURVIVAL_TIME = 3.0  # [s] time after the end of a push without a fall that counts as survived
 RETURN_TIME = 2.0  # [s] time after the end of a push at which the body must be back in its pose
 MAX_FOOT_DISPLACEMENT = 0.01  # [m] tolerance of a foot's slide or lift; rolling does not count

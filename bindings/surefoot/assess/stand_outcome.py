@@ -11,8 +11,8 @@ from surefoot.assess.push_outcome import attitude_angles
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.stand.foot_frame import pose_in_support, rotation_angle
 
-# Protocol of docs/reference/scorecard.md, chosen: long enough for the body to stop swinging after the ground
-# motion; longer times only cost run time.
+# Protocol of docs/reference/scorecard.md, chosen: long enough for the body to stop swinging after
+# the ground motion; longer times only cost run time.
 HOLD_TIME = 4.0  # [s] time of standing after the quiet phase and the ground motion
 JUDGED_TIME = 1.0  # [s] time at the end of the run in which tilt and height are judged
 

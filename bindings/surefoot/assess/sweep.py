@@ -10,8 +10,8 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.push_outcome import PushOutcome
 
-# Protocol of docs/reference/scorecard.md, chosen so that a sweep takes 10 to 12 runs. START_LEVELS successive
-# seeds together try all ten levels up to 100 %.
+# Protocol of docs/reference/scorecard.md, chosen so that a sweep takes 10 to 12 runs. START_LEVELS
+# successive seeds together try all ten levels up to 100 %.
 MIN_LEVEL = 10.0  # [% of the push limit] lowest level
 MAX_LEVEL = 200.0  # [% of the push limit] highest level
 COARSE_STEP = 20.0  # [% of the push limit] step between levels until the robot does not survive

@@ -8,9 +8,9 @@
 
 namespace surefoot {
 
-/// Checks that must pass before the motors may get torques.
+/// Checks that must pass before the supervisor applies torques to a lying robot.
 enum class ArmingCheckId : int {
-  kLink = 0,       ///< LowStates arrive, the newest is new, and less than 1 % of them is missing
+  kLink = 0,       ///< LowStates arrive, this tick has a new one, and fewer than 1 % are missing
   kMotorMode,      ///< all twelve motors report servo mode
   kTemperature,    ///< all twelve motors are below SupervisorOptions::temperature_warning
   kQuaternion,     ///< the IMU quaternion has unit length
@@ -18,32 +18,33 @@ enum class ArmingCheckId : int {
   kAccelerometer,  ///< the specific force has the magnitude of gravity
   kAttitude,       ///< quaternion and accelerometer agree about the vertical; not about heading
   kTilt,           ///< the body is nearly level
-  kJoints,         ///< all joints are within their limits and SupervisorOptions::joint_margin
-  kMotorOrder,     ///< every joint angle fits the range of its own motor: no motors are swapped
-  kFootForce,      ///< footForceEst adds up to the weight; applies to a standing robot only
-  kProgram,        ///< the torques that hold the robot on its way up are below their limits
+  kJoints,         ///< all joints keep SupervisorOptions::joint_margin from their limits
+  kMotorOrder,     ///< every joint angle fits the range of its own motor; else motors are swapped
+  kFootForce,      ///< footForceEst adds up to the weight; only if standing and footForceEst works
+  kProgram,        ///< the torques that hold the robot during a rise are below their limits
   kFault           ///< no active fault keeps the robot down
 };
-constexpr int kArmingChecks = 13;
+constexpr int kArmingChecks = 13;  ///< number of arming checks
 /// Return the name of a check, such as "motor_mode". Real-time: yes.
 const char* to_string(ArmingCheckId id) noexcept;
 
 /// Result of one arming check.
 struct ArmingCheck {
-  bool applies = true;  ///< false: the check does not apply now, and counts as passed
-  bool passed = false;
+  bool applies = true;    ///< false: the check does not apply now and counts as passed
+  bool passed = false;    ///< true: the value is within the limit
   double value = 0.0;     ///< worst value found; describe() gives its unit
   double limit = 0.0;     ///< limit that the value is compared with, in the same unit
   int motor = -1;         ///< SDK number of the motor with the worst value, or -1
-  int swapped_with = -1;  ///< SDK number of the motor that `motor` seems swapped with, or -1
+  int swapped_with = -1;  ///< SDK number of the second motor if `motor` seems swapped; else -1
 };
 
 /// Results of all arming checks, in the order of ArmingCheckId.
 struct ArmingReport {
-  std::array<ArmingCheck, kArmingChecks> checks;
-  double passed_for = 0.0;  ///< [s] for which all checks have passed without interruption
-  bool ready = false;       ///< passed_for has reached SupervisorOptions::arming_time
+  std::array<ArmingCheck, kArmingChecks> checks;  ///< indexed by ArmingCheckId
+  double passed_for = 0.0;  ///< [s] time for which all checks have passed without interruption
+  bool ready = false;       ///< true: passed_for has reached SupervisorOptions::arming_time
 
+  /// Return the result of one check. Real-time: yes.
   const ArmingCheck& operator[](ArmingCheckId id) const noexcept {
     return checks[static_cast<int>(id)];
   }
@@ -53,7 +54,7 @@ struct ArmingReport {
 /// Real-time: no.
 std::string describe(ArmingCheckId id, const ArmingCheck& check, const RobotConfig& config);
 
-/// Describe all failed checks, one sentence a line; empty if no check failed. Real-time: no.
+/// Describe all failed checks, one sentence per line; empty if no check failed. Real-time: no.
 std::string describe_failures(const ArmingReport& report, const RobotConfig& config);
 
 }  // namespace surefoot

@@ -6,7 +6,8 @@
 
 namespace surefoot {
 
-/// Error while building, loading or configuring. A tick never throws it.
+/// Error while a robot or a controller is built, loaded or configured. A tick never throws this
+/// error.
 ///
 /// The message says what is wrong, what was got, what was expected, and which names are valid.
 class Error : public std::runtime_error {

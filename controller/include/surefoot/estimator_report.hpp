@@ -10,13 +10,13 @@ namespace surefoot {
 
 /// What the estimator concludes about a sensor.
 enum class SensorVerdict : int {
-  kGood = 0,    ///< used
-  kUnjudged,    ///< not judged yet: the samples so far do not suffice
-  kZero,        ///< reads exactly zero
-  kConstant,    ///< constant while other fields of the samples change
-  kSaturated,   ///< at the end of its range
-  kDisagrees,   ///< contradicts the other sensors
-  kImplausible  ///< beyond what it can measure
+  kGood = 0,    ///< the estimator uses the sensor
+  kUnjudged,    ///< not judged yet: there are too few samples
+  kZero,        ///< the sensor reads exactly zero
+  kConstant,    ///< the reading stays the same while other fields of the samples change
+  kSaturated,   ///< the reading is at the end of the sensor's range
+  kDisagrees,   ///< the reading contradicts the other sensors
+  kImplausible  ///< the reading is beyond what the sensor can measure
 };
 /// Return the name of a verdict, such as "good". Real-time: yes.
 const char* to_string(SensorVerdict verdict) noexcept;
@@ -26,47 +26,45 @@ enum class ContactSource : int {
   kFootForceEst = 0,  ///< LowState::footForceEst [N]
   kFootForce,         ///< LowState::footForce: raw counts, calibrated against the other sources
   kTauEst,            ///< foot force computed from the joint torques of the leg
-  kFootMotion         ///< motion of the foot: a foot that rises or moves fast is off the ground
+  kFootMotion         ///< foot motion: a foot that rises or moves fast is off the ground
 };
-constexpr int kContactSources = 4;
-/// Return the name of a source. Real-time: yes.
+constexpr int kContactSources = 4;  ///< number of contact sources
+/// Return the name of a source, such as "footForce". Real-time: yes.
 const char* to_string(ContactSource source) noexcept;
 
-/// Uncertainty of the state estimate, and the estimator's view of its sensors. Feet and legs run
-/// FR FL RR RL. Plain data.
+/// Uncertainty of the state estimate, and verdicts on the sensors. Arrays over feet or legs are in
+/// leg order: FR FL RR RL. Plain data.
 struct EstimatorReport {
-  /// Verdicts on the IMU fields of LowState.
-  SensorVerdict gyroscope = SensorVerdict::kUnjudged;
-  SensorVerdict accelerometer = SensorVerdict::kUnjudged;
-  SensorVerdict quaternion = SensorVerdict::kUnjudged;
+  SensorVerdict gyroscope = SensorVerdict::kUnjudged;      ///< verdict on IMU::gyroscope
+  SensorVerdict accelerometer = SensorVerdict::kUnjudged;  ///< verdict on IMU::accelerometer
+  SensorVerdict quaternion = SensorVerdict::kUnjudged;     ///< verdict on IMU::quaternion
   /// Verdicts on the contact sources, [ContactSource][leg].
   std::array<std::array<SensorVerdict, kLegs>, kContactSources> contact_sources{};
-  /// Evidence of each source alone, shape (source, leg). 0: off the ground; 1: loaded; 0.5: no
-  /// evidence, or balanced.
+  /// Contact evidence of each source alone, shape (4, 4): row ContactSource, column leg. 0: off the
+  /// ground; 1: loaded; 0.5: no evidence, or evidence for both.
   Eigen::Matrix<double, kContactSources, kLegs> contact_by_source =
       Eigen::Matrix<double, kContactSources, kLegs>::Constant(0.5);
-  /// Force of the ground on each foot by the joint torques, world axes [N]: a generalised-momentum
-  /// observer (De Luca, Mattone 2003).
+  /// [N] Ground force on each foot, computed from the joint torques, world axes. Method:
+  /// generalised-momentum observer (De Luca, Mattone 2003).
   FeetMatrix foot_forces_from_torques = FeetMatrix::Zero();
   /// How sure the estimator is that a loaded foot slips, 0 .. 1.
   Eigen::Vector4d slip = Eigen::Vector4d::Zero();
 
-  Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] base axes
-  Vector3 accelerometer_bias = Vector3::Zero();  ///< [m/s^2] base axes
-  /// Covariance of the errors (estimate minus truth), in this order: rotation of the base (world
-  /// axes) [rad], its velocity [m/s] and position [m] in the world, gyroscope_bias,
-  /// accelerometer_bias.
+  Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes
+  Vector3 accelerometer_bias = Vector3::Zero();  ///< [m/s^2] bias of the accelerometer, base axes
+  /// Covariance of the errors (estimate minus truth). Order: rotation [rad], velocity [m/s] and
+  /// position [m] of the base, all in world axes; gyroscope_bias; accelerometer_bias.
   Eigen::Matrix<double, 15, 15> covariance = Eigen::Matrix<double, 15, 15>::Zero();
-  /// Normalised innovation squared of the foot measurements in the last update, and its dimension.
-  double nis = 0.0;
-  int nis_dimension = 0;
-  std::array<bool, kLegs> rejected_feet{};  ///< feet that the innovation gate rejected
+  double nis = 0.0;       ///< normalised innovation squared of the foot measurements, last update
+  int nis_dimension = 0;  ///< dimension of nis: 3 for each foot that was used
+  std::array<bool, kLegs> rejected_feet{};  ///< true: the innovation gate rejected the foot
 
-  /// Sustained external wrench: force [N] and moment about the centre of mass [N.m], world axes.
-  Vector3 f_sustained = Vector3::Zero();
+  Vector3 f_sustained = Vector3::Zero();  ///< [N] sustained external force, world axes
+  /// [N.m] Sustained external moment about the centre of mass, world axes.
   Vector3 moment_external = Vector3::Zero();
-  double payload = 0.0;                 ///< [kg] mass beyond the model; may be negative
-  Vector3 com_shift = Vector3::Zero();  ///< [m] centre of mass, loaded minus model, base axes
+  double payload = 0.0;  ///< [kg] mass of the robot minus mass of the model; may be negative
+  /// [m] Shift of the centre of mass against the model, caused by the payload, base axes.
+  Vector3 com_shift = Vector3::Zero();
 };
 
 }  // namespace surefoot

@@ -18,16 +18,16 @@ static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_DEFAULT_ALIGN_BYTES == 16,
 /// Fixed-size types of a quadruped with 3-joint legs.
 namespace surefoot {
 
-using Vector3 = Eigen::Vector3d;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Vector12 = Eigen::Matrix<double, 12, 1>;
-using Matrix3 = Eigen::Matrix3d;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Quaternion = Eigen::Quaterniond;
+using Vector3 = Eigen::Vector3d;                ///< column of 3, such as a position or a force
+using Vector6 = Eigen::Matrix<double, 6, 1>;    ///< column of 6: linear part first, then angular
+using Vector12 = Eigen::Matrix<double, 12, 1>;  ///< column of 12, one entry per motor
+using Matrix3 = Eigen::Matrix3d;                ///< 3 x 3 matrix
+using Matrix6 = Eigen::Matrix<double, 6, 6>;    ///< 6 x 6 matrix
+using Quaternion = Eigen::Quaterniond;          ///< unit quaternion of an orientation
 
-constexpr double kGravity = 9.81;  ///< [m/s^2] default of Pinocchio and MuJoCo
+constexpr double kGravity = 9.81;  ///< [m/s^2] gravity; the default of Pinocchio and MuJoCo
 
-/// A 3-vector per foot, one column each, FR FL RR RL.
+/// One 3-vector per foot, as columns FR FL RR RL.
 using FeetMatrix = Eigen::Matrix<double, 3, kLegs>;
 
 /// Compute the cross-product matrix of a: skew(a) b = a x b. Real-time: yes.

@@ -24,18 +24,20 @@ class Robot {
   /// the model.
   Robot(const pinocchio::Model& model, const RobotConfig& config);
 
-  /// Build from text that pinocchio::Model::saveToString() of the same Pinocchio version wrote.
-  /// Throws surefoot::Error.
+  /// Build from the text that pinocchio::Model::saveToString() of the same Pinocchio version wrote.
+  /// Throws surefoot::Error if the text cannot be read, or if the configuration is invalid or does
+  /// not fit the model.
   static Robot from_serialized_model(const std::string& text, const RobotConfig& config);
 
-  /// Read a .robot file that save() wrote. This needs no URDF parser and no meshes. Throws
+  /// Read a .robot file that save() wrote. No URDF parser and no meshes are needed. Throws
   /// surefoot::Error if the file cannot be read, is damaged, or has another version.
   static Robot load(const std::string& path);
-  /// Write a .robot file: configuration, model and checksum. Throws surefoot::Error.
+  /// Write a .robot file: configuration, model and checksum. Throws surefoot::Error if the file
+  /// cannot be written.
   void save(const std::string& path) const;
 
-  const pinocchio::Model& model() const noexcept;
-  const RobotConfig& config() const noexcept;
+  const pinocchio::Model& model() const noexcept;  ///< model, with RobotConfig::armature
+  const RobotConfig& config() const noexcept;      ///< configuration
   /// Return the model as text for pinocchio::Model::loadFromString() of the same version.
   std::string serialized_model() const;
 
@@ -43,18 +45,18 @@ class Robot {
   int nv() const noexcept;       ///< size of v; 18 with twelve joints
   double mass() const noexcept;  ///< [kg] total mass
 
-  /// Index in v of each SDK motor.
+  /// Return the index in v of each SDK motor. Real-time: yes.
   const std::array<int, kMotors>& motor_to_v() const noexcept;
-  /// Index in q of each SDK motor.
+  /// Return the index in q of each SDK motor. Real-time: yes.
   const std::array<int, kMotors>& motor_to_q() const noexcept;
-  /// Pinocchio frame id of each foot, FR FL RR RL.
+  /// Return the Pinocchio frame id of each foot, FR FL RR RL. Real-time: yes.
   const std::array<int, kLegs>& foot_frame_ids() const noexcept;
 
-  /// Return q of the standing pose with the base level at the world origin, shape (nq,). Real-time:
-  /// no.
+  /// Return q of the standing pose, shape (nq,), with the base level at the world origin.
+  /// Real-time: no.
   Eigen::VectorXd q_standing() const;
 
-  struct Data;  // defined in the library
+  struct Data;  ///< internal data, defined in the library
 
  private:
   std::shared_ptr<const Data> data_;

@@ -12,21 +12,21 @@ namespace surefoot {
 /// Properties of a robot that its kinematic and inertial model does not have. Arrays of twelve are
 /// in SDK motor order (FR FL RR RL; hip, thigh, calf), arrays of four in leg order.
 struct RobotConfig {
-  std::string name;                              ///< one word
-  std::array<std::string, kMotors> joint_names;  ///< names in the model
-  std::array<std::string, kLegs> foot_frames;    ///< frame names in the model
-  double foot_radius = 0.0;                      ///< [m] the foot is a sphere about its frame
+  std::string name;                              ///< name of the robot, one word
+  std::array<std::string, kMotors> joint_names;  ///< names of the joints in the model
+  std::array<std::string, kLegs> foot_frames;    ///< names of the foot frames in the model
+  double foot_radius = 0.0;  ///< [m] radius of the foot, a sphere about the origin of its frame
 
   Vector3 p_base_imu = Vector3::Zero();                  ///< [m] IMU origin in the base frame
-  Eigen::Vector4d quat_base_imu = {1.0, 0.0, 0.0, 0.0};  ///< w x y z, IMU axes to base axes
+  Eigen::Vector4d quat_base_imu = {1.0, 0.0, 0.0, 0.0};  ///< quaternion w x y z, IMU to base axes
 
-  Vector12 q_lower = Vector12::Zero();  ///< [rad] intersection of SDK and URDF limits
-  Vector12 q_upper = Vector12::Zero();  ///< [rad] intersection of SDK and URDF limits
-  double hip_inward = 3.2;              ///< [rad] largest inward angle of a hip, see motion_range()
-  Vector12 dq_max = Vector12::Zero();   ///< [rad/s] velocity limits
-  Vector12 tau_max = Vector12::Zero();  ///< [N.m] torque limits up to corner_speed
-  Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] where the torque limit starts to fall
-  Vector12 no_load_speed = Vector12::Zero();  ///< [rad/s] where the torque limit reaches zero
+  Vector12 q_lower = Vector12::Zero();  ///< [rad] lower limits: SDK and URDF, the narrower
+  Vector12 q_upper = Vector12::Zero();  ///< [rad] upper limits: SDK and URDF, the narrower
+  double hip_inward = 3.2;  ///< [rad] largest inward angle of every hip, > 0, see motion_range()
+  Vector12 dq_max = Vector12::Zero();         ///< [rad/s] velocity limits
+  Vector12 tau_max = Vector12::Zero();        ///< [N.m] torque limits up to corner_speed
+  Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] the torque limit falls from here on
+  Vector12 no_load_speed = Vector12::Zero();  ///< [rad/s] the torque limit is zero from here on
   Vector12 armature = Vector12::Zero();       ///< [kg.m^2] rotor inertia times squared gear ratio
   Vector12 q_standing = Vector12::Zero();     ///< [rad] joint angles of the standing pose
 
@@ -40,19 +40,20 @@ struct RobotConfig {
 
 /// Range of a joint angle [rad].
 struct JointRange {
-  double lower, upper;
+  double lower,  ///< [rad] smallest angle
+      upper;     ///< [rad] largest angle
 };
 
-/// Compute the range within which QP and body reference keep motor `i`: q_lower .. q_upper, and for
-/// a hip no further inward than hip_inward.
+/// Compute the range within which QP and body reference keep motor `i`, 0 .. 11.
 ///
-/// Beyond hip_inward the trunk rests on the thigh, and the dynamics do not model this contact.
-/// Arming checks and protections use q_lower and q_upper instead, because an external force may
-/// push a joint there. Real-time: yes.
+/// The range is q_lower .. q_upper. For a hip it also ends at hip_inward. Beyond that angle the
+/// trunk rests on the thigh, and the dynamics do not model this contact. Arming checks and
+/// protections use q_lower and q_upper instead, because an external force may push a hip beyond
+/// hip_inward. Real-time: yes.
 JointRange motion_range(const RobotConfig& config, int i) noexcept;
 
-/// Compute the largest torque [N.m] of motor `i` in the direction of `sign` at joint velocity `dq`
-/// [rad/s]. The result is not negative.
+/// Compute the largest torque [N.m] of motor `i`, 0 .. 11, in the direction of `sign` at joint
+/// velocity `dq` [rad/s]. The result is not negative.
 ///
 /// While torque and velocity have the same sign, the limit is tau_max up to corner_speed, then
 /// falls linearly to zero at no_load_speed. A braking motor keeps tau_max. Real-time: yes.

@@ -15,10 +15,10 @@ namespace surefoot {
 struct RunTick {
   double time = 0.0;                       ///< [s] since run() began
   bool has_new_state = false;              ///< true if `state` arrived in this tick
-  Mode mode = Mode::kPassive;              ///< of the supervisor, after the tick
-  FaultId damping_fault = FaultId::kNone;  ///< why the supervisor latched damping
+  Mode mode = Mode::kPassive;              ///< mode of the supervisor after the tick
+  FaultId damping_fault = FaultId::kNone;  ///< fault for which damping was last latched
   LowState state = init_low_state();       ///< newest sample
-  LowCmd command = init_low_cmd();         ///< passed to the link in this tick
+  LowCmd command = init_low_cmd();         ///< command passed to the link in this tick
 };
 static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocates nor throws
 
@@ -26,7 +26,8 @@ static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocate
 /// memory is allocated by the constructor.
 class RunLog {
  public:
-  /// @param capacity number of ticks that are kept; 0 keeps none
+  /// Create an empty log.
+  /// @param capacity number of ticks that are kept; 0: none
   explicit RunLog(std::size_t capacity = 0) : ticks_(capacity) {}
 
   /// Add a tick; a full log drops its oldest one. Real-time: yes.
@@ -38,7 +39,7 @@ class RunLog {
 
   /// Return the number of ticks that are kept now. Real-time: yes.
   std::size_t size() const noexcept { return added_ < ticks_.size() ? added_ : ticks_.size(); }
-  /// Return tick k, 0 being the oldest; k must be less than size(). Real-time: yes.
+  /// Return tick k, counted from the oldest, 0. k must be less than size(). Real-time: yes.
   const RunTick& operator[](std::size_t k) const noexcept {
     return ticks_[(added_ - size() + k) % ticks_.size()];
   }

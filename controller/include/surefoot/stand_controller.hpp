@@ -17,31 +17,32 @@ namespace surefoot {
 
 /// Options of a StandController: fixed at construction, unlike gains.
 struct StandOptions {
-  /// [N.m.s/rad] Motor-side damping in every command, with dq = 0; 0 .. 50. 0 is pure torque mode.
-  /// Hardware whose knees vibrate in pure torque mode may need a value above 0.
+  /// [N.m.s/rad] Kd of every command, joint-side, with dq = 0; 0 .. 50. 0 is pure torque mode.
+  /// Robots whose knees vibrate in pure torque mode may need a value above 0.
   double motor_damping = 0.0;
-  /// [s] Time from a measurement to the action of the command computed from it, 0 .. 0.05;
-  /// identify_delay() in Python measures it. The controller predicts the state over this time from
-  /// the commands already sent. Prediction amplifies sensor noise, so leave the option at 0 if the
-  /// real delay is at most a few ticks. In simulation no robot stood with a delay above 0.03 s. At
-  /// 0 nothing is predicted, and the estimator compares the sample of tick k with the command of
+  /// [s] Time from a measurement to the moment when the command computed from it acts, 0 .. 0.05;
+  /// identify_delay() in Python measures this time. The controller predicts the state over this
+  /// time from the commands already sent. Prediction amplifies sensor noise, so leave the option at
+  /// 0 if the real delay is at most a few ticks. In simulation no robot stood with a delay above
+  /// 0.03 s.
+  ///
+  /// At 0 nothing is predicted, and the estimator compares the sample of tick k with the command of
   /// tick k - 3, which acted while the sample was measured: over the SDK's link, commands and
   /// samples each take one period.
   double delay = 0.0;
   QpForm form = QpForm::kAuto;  ///< form of the whole-body QP
-  /// [W] Largest power of a command, sum |tau dq|, with the motors' damping included, at the joint
-  /// velocities for which the command is computed. > 0; infinite switches the limit off.
+  /// [W] Largest power of a command, sum |tau dq| with the motors' damping included, at the joint
+  /// velocities for which the command is computed. Must be > 0; infinity switches the limit off.
   ///
   /// Above the limit, the torques are scaled towards the holding torques, which hold the robot
   /// against gravity. If the holding torques alone exceed the limit, the command is not scaled,
-  /// because a robot that is released falls and takes even more power. Last, the torques of runaway
-  /// legs are limited: the power of a leg may rise by at most a quarter of the limit within the
-  /// next 15 ms, extrapolated from the acceleration of its joints. With periods of 10 ms and more,
-  /// runaway legs are not detected.
+  /// because a robot with too little torque falls, and its motors then take even more power.
+  /// Finally, the torques of runaway legs are limited: the power of a leg may rise by at most a
+  /// quarter of the limit within the next 15 ms, extrapolated from the acceleration of its joints.
+  /// With periods of 10 ms and more, runaway legs are not detected.
   ///
-  /// Set this limit below the limit of Safety::power_protect(), for example at 0.9 of that limit.
-  /// Do not set it far below the power that the motions take: a robot that lacks power for long
-  /// falls.
+  /// Set this limit below that of Safety::power_protect(), for example at 0.9 of it, but not far
+  /// below the power that the motions take. A robot that lacks power for long falls.
   double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error if an option is out of range; the message names it.
@@ -66,11 +67,13 @@ struct StandOptions {
 /// normal is estimated. Not thread-safe.
 class StandController {
  public:
-  /// Throws surefoot::Error if the robot does not have twelve joints on a free base, or if a gain
-  /// or an option is invalid.
+  /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the
+  /// robot does not have twelve joints on a free base, or if a gain or an option is invalid.
   explicit StandController(const Robot& robot);
+  /// The same with other gains than RobotConfig::gains.
   StandController(const Robot& robot, const Gains& gains, const StandOptions& options = {});
   ~StandController();
+  /// Take over the content of another StandController, which may only be destroyed afterwards.
   StandController(StandController&&) noexcept;
 
   /// Compute one tick. Never throws, allocates, locks or logs. Real-time: yes, if the custom tasks
@@ -83,34 +86,37 @@ class StandController {
   /// acceleration, and stops at the limits of ReachLimit. A target with a NaN or an infinity is
   /// ignored, and reach() reports kNotFinite. Real-time: yes.
   void set_body_reference(const BodyReference& target) noexcept;
-  BodyReference body_reference() const noexcept;  ///< present reference, on the way to the target
-  ReachStatus reach() const noexcept;             ///< limit that stops the reference early
+  BodyReference body_reference() const noexcept;  ///< present reference, which moves to the target
+  ReachStatus reach() const noexcept;  ///< limit that stops the reference before the target
 
   /// Give up a leg, 0 .. 3, until reset(): its foot carries no load from now on, its motors damp,
   /// and the centre of mass moves over the other three feet. The call is ignored if a leg is
   /// already lost or `leg` is not 0 .. 3. Real-time: yes.
   void declare_leg_lost(int leg) noexcept;
-  int lost_leg() const noexcept;  ///< the leg that was given up, or -1
+  int lost_leg() const noexcept;  ///< leg that was given up, 0 .. 3, or -1
   /// Compute the distance [m] from the capture point to the nearest edge of the support triangle
-  /// that remains without `leg`, by the newest estimate. Negative: outside the triangle. Infinite:
-  /// another leg is already lost. NaN: `leg` is not 0 .. 3, or no pose is latched yet. Real-time:
-  /// yes.
+  /// that remains without `leg`. The newest state estimate is used. Negative: outside the triangle.
+  /// Infinity: another leg is already lost. NaN: `leg` is not 0 .. 3, or no pose is latched yet.
+  /// Real-time: yes.
   double capture_margin_without(int leg) const noexcept;
 
-  /// See WholeBodyController::set_torque_share(). Real-time: yes.
+  /// Set the share of its torque limit that each motor may use, see
+  /// WholeBodyController::set_torque_share(). Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
 
-  /// Add a custom task, see WholeBodyController::add_task(). Throws surefoot::Error. Real-time: no.
+  /// Add a custom task, in force from the next tick on. Throws surefoot::Error if `task` is null or
+  /// its rows() is not 1 .. 1000. Real-time: no.
   void add_task(std::shared_ptr<Task> task);
 
-  /// Status of the last tick: kOk, kSaturated, or why the QP gave no command; kDamping while
-  /// latched.
+  /// Status of the last tick: kOk, kSaturated, or the reason why the QP gave no command; kDamping
+  /// while damping is latched.
   Status status() const noexcept;
   /// Fallback level of the last command; kDamping before the first tick.
   FallbackLevel fallback_level() const noexcept;
-  /// Number of ticks that ended at this fallback level, since construction. Real-time: yes.
+  /// Return the number of ticks that ended at a fallback level, since construction. Real-time: yes.
   std::uint64_t fallback_count(FallbackLevel fallback_level) const noexcept;
-  /// Status of the last tick that was not usable; kept while damping is latched, kOk after reset().
+  /// Status of the last tick without a usable command; kept while damping is latched, kOk after
+  /// reset().
   Status fault() const noexcept;
 
   /// Estimated state. After a tick that reached the QP, state().friction is the share that the QP
@@ -118,30 +124,31 @@ class StandController {
   /// edges, and less while a foot slips. After any other tick it contains only the reduction for
   /// slipping feet.
   const RobotState& state() const noexcept;
-  EstimatorReport estimator_report() const noexcept;            ///< see StateEstimator::report()
-  const Reference& reference() const noexcept;                  ///< of the last good estimate
-  const Solution& solution() const noexcept;                    ///< see Solution
-  const QpProblem& qp() const noexcept;                         ///< see WholeBodyController::qp()
-  bool has_foot_force_est() const noexcept;                     ///< see StateEstimator
-  Eigen::Vector4d normal_forces_from_torques() const noexcept;  ///< [N] see StateEstimator
+  EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
+  const Reference& reference() const noexcept;        ///< of the last tick with a good estimate
+  const Solution& solution() const noexcept;          ///< QP solution of the last good tick
+  const QpProblem& qp() const noexcept;               ///< see WholeBodyController::qp()
+  bool has_foot_force_est() const noexcept;           ///< see StateEstimator::has_foot_force_est()
+  Eigen::Vector4d normal_forces_from_torques()
+      const noexcept;  ///< [N] see StateEstimator, same name
   /// [W] Power sum |tau dq| of the last command that was computed from a sample, with the motors'
   /// damping included. dq are the joint velocities for which the command was computed: measured, or
-  /// predicted over StandOptions::delay. A lost leg counts with the torques that it had before they
-  /// were set to zero. The power exceeds StandOptions::power_limit only if the torques that hold
-  /// the robot exceed that limit.
+  /// predicted over StandOptions::delay. A lost leg counts with its torques before they were set to
+  /// zero. The power exceeds StandOptions::power_limit only if the torques that hold the robot
+  /// exceed that limit.
   double command_power() const noexcept;
   /// Scale s, 0 .. 1, by which StandOptions::power_limit reduced the torques of the last good tick:
   /// tau = tau_hold + s (tau_QP - tau_hold). Below 1, status() is kSaturated, and solution() still
   /// has the torques of the QP. If only a runaway leg was limited, status() is kSaturated and s
   /// is 1.
   double power_scale() const noexcept;
-  const Gains& gains() const noexcept;         ///< requested gains; see set_gains()
-  const Gains& active_gains() const noexcept;  ///< gains in force, which move to gains()
+  const Gains& gains() const noexcept;         ///< gains last set, see set_gains()
+  const Gains& active_gains() const noexcept;  ///< gains of the last tick, which approach gains()
 
-  /// Set the gains, between ticks. While the controller is active, the gains in force move to the
-  /// new ones within 0.1 s of good ticks, so that torques do not jump. Before the first good sample
-  /// and while damping is latched, they change at once. Throws surefoot::Error and changes nothing
-  /// if a gain is invalid. Real-time: no.
+  /// Set the gains, between ticks. While the controller is active, active_gains() approach the new
+  /// gains within 0.1 s, counted over good ticks only, so that torques do not jump. Before the
+  /// first good sample and while damping is latched, they change at once. Throws surefoot::Error
+  /// and changes nothing if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
   /// Leave damping, clear the body reference and the lost leg, and latch the pose again with the
   /// next good samples. Real-time: yes.

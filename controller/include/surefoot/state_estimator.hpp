@@ -16,31 +16,33 @@ class Dynamics;
 ///
 /// A contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle, 2020)
 /// estimates orientation, velocity, position, contact points and IMU biases from the raw gyroscope
-/// and accelerometer and the leg kinematics. The filter uses the quaternion of the IMU only as
-/// initial value, and instead of a gyroscope that has stopped. It also checks the quaternion. The
-/// contact confidence of each foot is fused from footForceEst, footForce, joint torques and foot
-/// motion. These sources are also checked against each other.
+/// and accelerometer and the leg kinematics. The filter uses the IMU quaternion at the start. Later
+/// the filter checks the quaternion, and uses it if the gyroscope is zero or constant. The contact
+/// confidence of each foot is fused from footForceEst, footForce, joint torques and foot motion.
+/// These contact sources are also checked against each other.
 ///
 /// The world frame has z up; at the first sample it has the heading of the base, and the mean
-/// height of the feet is zero. Position and yaw are not observable, so they drift; report() has
-/// their covariance. Not thread-safe.
+/// height of the feet is zero. Position and yaw are not observable, so both drift; report() has the
+/// covariance. Not thread-safe.
 class StateEstimator {
  public:
+  /// Create an estimator with RobotConfig::gains. Real-time: no.
   explicit StateEstimator(const Robot& robot);
   ~StateEstimator();
+  /// Take over the content of another StateEstimator, which may only be destroyed afterwards.
   StateEstimator(StateEstimator&&) noexcept;
 
   /// Process one sample. Real-time: yes.
-  /// @param low_state IMU, joint angles, velocities and torques of motors 0 .. 11, footForce and
-  /// footForceEst are read
-  /// @param dt [s] since the last processed sample, 0 < dt <= 0.1
-  /// @return kOk; kStaleTick (dt out of range), kNonFinite or kImplausible, with the state
-  /// unchanged; kDiverged if no motion explains the samples: the estimator then starts again with
-  /// the next sample. A finite quaternion that is not of unit length only lowers its own verdict in
-  /// report().
+  /// @param low_state sample. Fields read: imu; q, dq and tauEst of motors 0 .. 11; footForce;
+  /// footForceEst
+  /// @param dt [s] time since the last processed sample, 0 < dt <= 0.1
+  /// @return kOk: the sample was processed. kStaleTick (dt out of range), kNonFinite, kImplausible:
+  /// the state is unchanged. kDiverged: no motion explains the samples, and the estimator starts
+  /// again with the next sample. A finite quaternion that is not of unit length only changes its
+  /// verdict in report().
   Status update(const LowState& low_state, double dt) noexcept;
 
-  const RobotState& state() const noexcept;
+  const RobotState& state() const noexcept;  ///< state after the last processed sample
   /// Return the uncertainty of the state and the verdicts on the sensors. Real-time: yes.
   EstimatorReport report() const noexcept;
   /// Compute the normal force [N] on each foot from the joint torques, FR FL RR RL. Real-time: yes.
@@ -48,29 +50,30 @@ class StateEstimator {
   /// Return whether footForceEst works on this robot: its sum has matched the load on the feet.
   /// Real-time: yes.
   bool has_foot_force_est() const noexcept;
-  /// Kinematics and dynamics at the present state, for use in the same tick.
+  /// Return the kinematics and dynamics at the present state, for use in the same tick. Real-time:
+  /// yes.
   const Dynamics& dynamics() const noexcept;
 
-  /// Set the gains. Throws surefoot::Error and changes nothing if a gain is invalid.
+  /// Set the gains. Throws surefoot::Error and changes nothing if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
   /// Set the gains within a tick. Real-time: yes.
   /// @return false if a gain is invalid; nothing changes then
   bool adopt_gains(const Gains& gains) noexcept;
-  /// Set the ground normal, unit length, world axes. The contact points on the spherical feet move
-  /// with it. Real-time: yes.
+  /// Set the ground normal: unit length, world axes. The contact points on the spherical feet move
+  /// accordingly. Real-time: yes.
   void set_ground_normal(const Vector3& normal) noexcept;
-  /// Set the planned motion: the motion that the command in force at the next sample was meant to
-  /// cause.
+  /// Set the planned motion: the motion that should result from the command in force at the next
+  /// sample.
   ///
   /// Measured acceleration beyond the plan is attributed to an external force, and `tau` replaces
   /// tauEst where tauEst is not usable. The plan stays in force until the next call. Without any
   /// call since the start, only the sustained external wrench is estimated. Real-time: yes.
   /// @param a_base planned acceleration of the base, Pinocchio's convention (spatial, base axes)
-  /// @param tau torques of that command [N.m], SDK motor order
-  /// @param f_push [N] push that the plan took into account, world axes: f_external - f_sustained
+  /// @param tau [N.m] torques of that command, SDK motor order
+  /// @param f_push [N] push that the plan included, world axes: f_external - f_sustained
   void set_planned_motion(const Vector6& a_base, const Vector12& tau,
                           const Vector3& f_push) noexcept;
-  /// Start again with the next sample. Real-time: yes.
+  /// Discard the estimate and start again with the next sample. Real-time: yes.
   void reset() noexcept;
 
  private:

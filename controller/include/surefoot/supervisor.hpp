@@ -13,47 +13,50 @@ namespace surefoot {
 
 /// Options of a Supervisor: fixed at construction, unlike gains.
 struct SupervisorOptions {
-  /// Level of Safety::power_protect(), 1 .. 10, which trips at 100 W times the level. Rising and
-  /// sitting down are planned for half of that power; while standing, stand.power_limit is at most
-  /// 0.9 of that power. 0 switches the protection and this power limit off; motions are then
-  /// planned for level 1.
+  /// Level of Safety::power_protect(), 1 .. 10, which trips at 100 W times the level.
+  ///
+  /// Rises and descents are planned for half of this power. While the robot stands,
+  /// stand.power_limit is reduced to 0.9 of this power if it is larger. 0 switches off the
+  /// protection and this reduction; rises and descents are then planned for level 1.
   int power_level = 1;
-  double arming_time = 1.0;           ///< [s] duration for which all checks must pass
-  double temperature_warning = 60.0;  ///< [deg C] above which torque limits fall
-  /// [deg C] Temperature at which torque limits are halved and the robot sits down.
+  double arming_time = 1.0;           ///< [s] time for which all arming checks must have passed
+  double temperature_warning = 60.0;  ///< [deg C] motor temperature that reduces torque limits
+  /// [deg C] Motor temperature from which torque limits are halved and the robot sits down.
   double temperature_stop = 80.0;
-  double battery_low = 10.0;  ///< [%] charge below which the robot sits down
-  /// [kg] Payload above which the robot sits down; infinite: no limit.
+  double battery_low = 10.0;  ///< [%] battery charge below which the robot sits down
+  /// [kg] Payload above which the robot sits down; infinity: no limit.
   double payload_limit = std::numeric_limits<double>::infinity();
-  /// [s] Time without heartbeat() after which the robot sits down; infinite needs no operator.
+  /// [s] Time without heartbeat() after which the robot sits down; infinity: no operator is needed.
   double operator_timeout = std::numeric_limits<double>::infinity();
-  /// [rad] Distance that joints must keep from their limits, for arming and for fault kJointStop.
-  /// Negative: the distance by which joints may exceed their limits. A fully folded calf rests on
-  /// its stop, beyond the limits.
+  /// [rad] Distance that joints must keep from their limits, for arming and for the fault
+  /// kJointStop. Negative: distance by which joints may exceed their limits. A fully folded calf
+  /// rests on its stop, beyond the limits.
   double joint_margin = -0.15;
   StandOptions stand;           ///< options of the StandController
   Start start = Start::kLying;  ///< state of the robot at the first sample
-  bool remote = true;           ///< button B on the remote stops the robot
+  bool remote = true;           ///< true: button B on the remote stops the robot
 
   /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
 };
 
-/// Controller that takes a robot from lying to standing and back: LowState in, LowCmd out. It
-/// checks the robot before it arms, refuses requests that do not fit, detects faults, and stops on
-/// request.
+/// Controller that takes a robot from lying to standing and back: LowState in, LowCmd out.
 ///
-/// Rising. First the legs fold from any pose, feet beside the body and knees up. Then they move
-/// over a crouch to the standing pose. All legs move alike, so the feet stay in place while the
-/// body moves over the feet and up. A leg that is blocked backs out and tries again, up to eight
-/// times. If the body rolls over its legs, the legs are released, at most twice. A robot that
-/// already crouches or stands, with all joints within 0.35 rad of this path, rises from there
-/// without folding. Before the body leaves the ground, the folded legs are weighed and the rear
-/// legs press on the ground, which detects kWiring and kWrongRobot. The speed is limited so that
-/// the torques that hold the robot take half of the power level. Sitting down follows the same path
-/// backwards.
+/// The supervisor checks the robot before arming, refuses requests that the present mode does not
+/// allow, detects faults, and stops on request.
 ///
-/// Torques fade between modes within 0.25 s; damping after a stop or a fault comes at once.
+/// Rising. First the legs fold from any pose, feet beside the body and knees up. Then the legs move
+/// through a crouch to the standing pose. All legs follow the same joint path. So the feet stay in
+/// place, and the body moves above the feet and then up. A leg that is blocked backs out and tries
+/// again, up to eight times. If the body rolls over its legs, the legs follow their joints without
+/// stiffness for 1 s and then fold again; this happens at most twice. A robot that already crouches
+/// or stands, with all joints within 0.35 rad of this path, rises from there without folding.
+/// Before the body leaves the ground, the folded legs are weighed and the rear legs press on the
+/// ground. These two checks detect the faults kWiring and kWrongRobot. The speed is limited: the
+/// holding torques may take at most half of the power of SupervisorOptions::power_level. Sitting
+/// down follows the same path backwards.
+///
+/// Torques fade between modes within 0.25 s; damping after a stop or a fault starts at once.
 /// fault_table() lists the faults and the reactions to them.
 ///
 /// Threads: update(), update_without_state(), report_link_lost(), count_samples(), set_gains(),
@@ -62,38 +65,45 @@ struct SupervisorOptions {
 /// and arming() read again if the report changed while they read it.
 class Supervisor {
  public:
-  /// Throws surefoot::Error if the robot does not have twelve joints on a free base, or if a gain
-  /// or an option is invalid.
+  /// Create a supervisor with RobotConfig::gains and default options. Throws surefoot::Error if the
+  /// robot does not have twelve joints on a free base, or if a gain or an option is invalid.
   explicit Supervisor(const Robot& robot);
+  /// The same with other gains than RobotConfig::gains.
   Supervisor(const Robot& robot, const Gains& gains, const SupervisorOptions& options = {});
   ~Supervisor();
+  /// Take over the content of another Supervisor, which may only be destroyed afterwards.
   Supervisor(Supervisor&&) noexcept;
 
   /// Compute one tick. Never throws, allocates, locks or logs. Real-time: yes.
+  /// @param low_state newest sample
   /// @return the command to send
   const LowCmd& update(const LowState& low_state) noexcept;
 
   /// Compute the command of a period without a new LowState: the last command while it is at most
-  /// 10 ms old, then damping. After 20 ms requests are refused until update() is called again.
-  /// Nothing latches except on stop(); see report_link_lost(). Real-time: yes.
-  /// @param age [s] age of the newest LowState, measured by the caller; negative or NaN: too old
+  /// 10 ms old, and damping after that. After 20 ms requests are refused until update() is called
+  /// again. This function latches damping only after stop(). To latch damping after a long gap (20
+  /// ms in StandRunner), call report_link_lost(). Real-time: yes.
+  /// @param age [s] age of the newest LowState, measured by the caller; negative and NaN count as
+  /// too old
   /// @return the command to send
   const LowCmd& update_without_state(double age) noexcept;
   /// Report that no LowState arrived for too long, or that the robot restarted. If the robot is
-  /// armed, damping latches with fault kLink. Pending requests are dropped. Real-time: yes.
+  /// armed, damping is latched with the fault kLink. Pending requests are dropped. Real-time: yes.
   void report_link_lost() noexcept;
-  /// Report how many LowStates the link received and missed since the last call, for the arming
-  /// check kLink. The link receives more samples than update() processes, and its count replaces
-  /// the count of update(). The caller must then judge gaps itself and call report_link_lost().
-  /// Real-time: yes.
-  /// @param received number of LowStates @param missing number of LowStates; negative if some
-  /// arrived late after all
+  /// Report how many LowStates the link received and missed since the last call.
+  ///
+  /// The arming check kLink uses these counts. They replace the counts of update(), because the
+  /// link receives more samples than update() processes. The caller must then judge gaps itself and
+  /// call report_link_lost(). Real-time: yes.
+  /// @param received number of LowStates that arrived
+  /// @param missing number of LowStates that did not arrive; negative if LowStates counted as
+  /// missing arrived later
   void count_samples(double received, double missing) noexcept;
 
-  /// Request a mode: kRise from kPassive; kSit from kRise and kStand; kStand from kSit, to rise
-  /// again. Any thread. Real-time: yes.
+  /// Request a mode. Allowed requests: kRise from kPassive; kSit from kRise or kStand; kStand from
+  /// kSit, to stand up again. Any thread. Real-time: yes.
   RequestStatus request(Mode mode) noexcept;
-  /// Arm the robot: allow requests, and leave latched damping for kPassive. A lost leg is used
+  /// Arm the robot: allow requests, and change from latched damping to kPassive. A lost leg is used
   /// again. Any thread. Real-time: yes.
   RequestStatus arm() noexcept;
   /// Damp at once and latch, in any mode. Any thread, also repeatedly. Real-time: yes.
@@ -102,33 +112,38 @@ class Supervisor {
   /// Real-time: yes.
   void heartbeat() noexcept;
 
-  Mode mode() const noexcept;              ///< any thread
-  bool armed() const noexcept;             ///< true if armed; any thread
-  FaultId damping_fault() const noexcept;  ///< why damping last latched; kNone after arm()
+  Mode mode() const noexcept;   ///< present mode; any thread
+  bool armed() const noexcept;  ///< true if the robot is armed; any thread
+  /// Fault for which damping was last latched; kNone after arm(). Any thread.
+  FaultId damping_fault() const noexcept;
   /// Return a consistent copy of the active and past faults of the last tick. Any thread.
   FaultReport faults() const noexcept;
   /// Return a consistent copy of the arming checks of the last tick. Any thread.
   ArmingReport arming() const noexcept;
 
-  /// Commanded position on the path from lying (0) to standing (1); 0 before the body rises and in
+  /// Reference position on the path from lying (0) to standing (1); 0 before the body rises, and in
   /// kPassive and kDamping.
   double rise_progress() const noexcept;
   /// [s] Planned time from folded legs to standing.
   double rise_time() const noexcept;
   /// True while torques fade from one mode to the next.
   bool fading() const noexcept;
-  /// True if the last rise gave up: a leg could not fold, or the body did not follow.
+  /// True if the last rise was given up: a leg could not fold, or the body did not follow.
   bool rise_failed() const noexcept;
-  RiseStage rise_stage() const noexcept;  ///< of the present rise, or of the last one
+  RiseStage rise_stage() const noexcept;  ///< stage of the present rise, or of the last one
 
-  void set_body_reference(const BodyReference& target) noexcept;  ///< see StandController
-  /// Set the gains, see StandController::set_gains(). fold_wait takes effect when the legs next
-  /// begin to fold. Throws surefoot::Error and changes nothing if a gain is invalid. Real-time: no.
+  /// Set the target pose of the body while standing, see StandController::set_body_reference().
+  /// Real-time: yes.
+  void set_body_reference(const BodyReference& target) noexcept;
+  /// Set the gains, see StandController::set_gains(). The gain fold_wait takes effect at the next
+  /// folding. Throws surefoot::Error and changes nothing if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
+  /// Return the StandController, for reading. Real-time: yes.
   const StandController& stand_controller() const noexcept;
-  bool command_is_fresh() const noexcept;  ///< true: computed from the newest LowState
-  /// [W] Power that the power protection last judged; 0 while the protection is off or no torques
-  /// are applied.
+  /// True if the last command was computed from the newest LowState.
+  bool command_is_fresh() const noexcept;
+  /// [W] Motor power in the last sample that the power protection judged; 0 while the protection is
+  /// off or no torques are applied.
   double measured_power() const noexcept;
 
  private:

@@ -6,8 +6,8 @@ from surefoot._core import LowCmd, LowState, Robot
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 
 # Chosen: KP_PER_KG from 6 to 40 and KD_PER_KG from 0.15 to 0.8 were tried; the robot survives and
-# stands best with these values (docs/reference/scorecard.md). KD_PER_KG is at the end of the range that was
-# tried. sim/physics/standing_pose.py uses the same values.
+# stands best with these values (docs/reference/scorecard.md). KD_PER_KG is at the end of the range
+# that was tried. sim/physics/standing_pose.py uses the same values.
 KP_PER_KG = 25.0  # [N.m/rad] per kilogram of robot
 KD_PER_KG = 0.8  # [N.m.s/rad] per kilogram of robot
 SERVO = 0x0A  # motor mode in comm.h of the SDK

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from surefoot.bench.peers.surefoot_implementations import CPU, FORCES, SOLVED, TORQUES, WALL, Ticks
 from surefoot.bench.timing_statistics import distribution
 
-# Chosen: larger than the differences that other weights of the forces cause (docs/benchmarks/peers.md). A
-# larger difference means that the peer solved another problem.
+# Chosen: larger than the differences that other weights of the forces cause
+# (docs/benchmarks/peers.md). A larger difference means that the peer solved another problem.
 FORCE_TOLERANCE = 0.03  # allowed difference of a foot force before the first push / weight
 TORQUE_TOLERANCE = 0.05  # allowed difference of a torque / largest torque before the first push
 SAME_ANSWER = "same answer"

@@ -13,7 +13,8 @@ from surefoot.tune.design.goals import Goal, goal_from_gains
 from surefoot.tune.design.stability_search import find_delay_margin, first_unstable, last_stable
 from surefoot.tune.design.timing import Observers, Timing
 
-# Ends of the search; chosen. A loop has no lower limit down to 1 % of 2 Hz (docs/how-to/design-gains.md).
+# Ends of the search; chosen. A loop has no lower limit down to 1 % of 2 Hz (docs/how-to/design-
+# gains.md).
 MAX_GAIN_FACTOR = 30.0  # largest gain margin that is searched
 MIN_GAIN_FACTOR = 0.02  # smallest gain margin that is searched
 # Chosen: the goals (FREQUENCY_RANGE) and far above them; bounds the search at high rates.

@@ -19,8 +19,8 @@ TASK_GAINS = {
     "yaw": ("base_kp_yaw", "base_kd_yaw"),
     "foot": ("foot_kp", "foot_kd"),
 }
-# Chosen ranges, widened if the initial value is outside (docs/how-to/tune-with-a-search.md). Upper ends:
-# below the largest gains, 7.1 Hz for kp = 2000 1/s^2 (foot: larger).
+# Chosen ranges, widened if the initial value is outside (docs/how-to/tune-with-a-search.md). Upper
+# ends: below the largest gains, 7.1 Hz for kp = 2000 1/s^2 (foot: larger).
 FREQUENCY_RANGE = 0.3, 6.0  # [Hz] natural frequency of the body's tasks
 FOOT_FREQUENCY_RANGE = 1.0, 11.0  # [Hz] natural frequency of the foot task
 DAMPING_RANGE = 0.2, 2.5  # damping ratio of all tasks

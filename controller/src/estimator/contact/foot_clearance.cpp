@@ -35,8 +35,8 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
                            double dt) noexcept {
   // The estimated height of a falling robot drifts while its feet touch down one after the other.
   // So the stance heights follow the loaded feet until three loaded feet form a plane.
-  const bool three_feet_loaded = std::count(loaded.begin(), loaded.end(), true) >= 3;
-  plane_time_ = three_feet_loaded ? plane_time_ + dt : 0.0;
+  const bool three_loaded = std::count(loaded.begin(), loaded.end(), true) >= 3;
+  plane_time_ = three_loaded ? plane_time_ + dt : 0.0;
   const bool landing = plane_time_ < kLandingTime;
   Eigen::Vector4d height_change;
   for (int leg = 0; leg < kLegs; ++leg) {
