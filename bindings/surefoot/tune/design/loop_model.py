@@ -2,8 +2,8 @@
 
 The model has sensors, observers, command delay, motors and body, in the order and with the time
 steps of the simulated robot. The linear model is valid for small motion. The complete model adds
-the dead band of the push observer, dry friction and the limits of the QP. docs/how-to/design-gains.md has
-the equations.
+the dead band of the push observer, dry friction and the limits of the QP.
+docs/how-to/design-gains.md has the equations.
 """
 
 from __future__ import annotations
