@@ -18,6 +18,13 @@ from fenced_blocks import ROOT, Block
 
 # [s] For one block. Chosen. If smaller: a slow machine fails. If larger: a hang costs time.
 TIMEOUT = 300.0
+# As pinocchio::pinocchio_default defines them.
+BOOST_LIMITS = (
+    "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS",
+    "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
+    "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
+    "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
+)
 INTERPRETER = Path(__file__).with_name("block_interpreter.py")
 
 
@@ -162,7 +169,9 @@ class PageRunner:
         includes = [package / "include", *sorted(package.parent.glob("cmeel.prefix/include"))]
         eigen = [folder / "eigen3" for folder in includes]
         flags = [f"-I{folder}" for folder in [*includes, *eigen]]
-        self._check(block, ["g++", "-std=c++17", "-fsyntax-only", *flags, source.name])
+        self._check(
+            block, ["g++", "-std=c++17", "-fsyntax-only", *BOOST_LIMITS, *flags, source.name]
+        )
 
     def _parse(self, block: Block) -> None:
         try:
