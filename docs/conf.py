@@ -47,6 +47,7 @@ nitpick_ignore_regex = [
     # The namespace, and classes that public headers declare and the library defines.
     ("cpp:.*", r"surefoot|Impl|Data|Dynamics"),
     ("py:.*", r"surefoot\._plant\..*"),
+    ("py:.*", r"ControllerFailure|Options|RobotDescription|DatagramPort"),  # not public
 ]
 
 html_theme = "furo"
@@ -66,6 +67,8 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "description"
 autodoc_default_options = {"members": True, "undoc-members": False}
 coverage_modules = public_modules()
+# Modules that are not public.
+coverage_ignore_modules = [r"surefoot\.\w+\.\w+", r"surefoot\._\w+", r"surefoot\.cli"]
 coverage_show_missing_items = True
 coverage_statistics_to_stdout = False
 
