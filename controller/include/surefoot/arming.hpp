@@ -22,7 +22,7 @@ enum class ArmingCheckId : int {
   kMotorOrder,     ///< every joint angle fits the range of its own motor; else motors are swapped
   kFootForce,      ///< footForceEst adds up to the weight; only if standing and footForceEst works
   kProgram,        ///< the torques that hold the robot during a rise are below their limits
-  kFault           ///< no active fault keeps the robot down
+  kFault           ///< no active fault prevents a rise
 };
 constexpr int kArmingChecks = 13;  ///< number of arming checks
 /// Return the name of a check, such as "motor_mode". Real-time: yes.

@@ -42,7 +42,7 @@ struct Gains {
   double weight_momentum = 0.0;  ///< [1] weight of the angular momentum about the centre of mass
   double momentum_kd = 5.0;      ///< [1/s] damping of the angular momentum
   double weight_posture = 0.0;   ///< [1] weight of the posture task for all joints
-  /// [1] Weight of the posture task for joints that no foot determines.
+  /// [1] Weight of the posture task for joints outside the legs, and for legs near a singularity.
   double weight_posture_free = 0.001;
   /// [1] Weight of the acceleration of a foot whose leg is near a singularity.
   double weight_foot_soft = 1.0;
@@ -58,7 +58,8 @@ struct Gains {
   double edge_margin = 0.06;
   double edge_tilt = 0.05;   ///< [1] factor on weight_base_tilt at the support edge
   double edge_height = 1.0;  ///< [1] factor on weight_com_vertical at the support edge
-  double edge_load = 0.3;    ///< [m g] least planned load of all feet together at the support edge
+  double edge_load =
+      0.3;  ///< [m g] smallest desired force on all feet together at the support edge
   /// [m/s] Upward speed of the body at which the desired tilt acceleration is zero.
   double edge_rise = 100.0;
   double force_max_contact = 3.0;  ///< [m g] greatest normal force of a foot in contact
@@ -100,7 +101,7 @@ struct Gains {
   double gate_foot = 4.0;           ///< [sigma] innovation gate of a foot
   double contact_force_on = 0.07;   ///< [m g] load above which a contact begins
   double contact_force_off = 0.06;  ///< [m g] load below which a contact ends
-  /// [m g] Distance of a load from these two thresholds at which it is clear evidence.
+  /// [m g] Distance of a load from these two thresholds at which the load is clear evidence.
   double contact_force_width = 0.02;
   /// [s] Time in which clear evidence changes the contact confidence from 0 to 1.
   double contact_dwell = 0.01;

@@ -46,8 +46,10 @@ inline Quaternion quaternion_wxyz(const Eigen::Vector4d& wxyz) {
 /// Compute the rotation vector [rad] of a unit quaternion; its angle is at most pi. Real-time: yes.
 inline Vector3 log_so3(const Quaternion& q) {
   const double sign = q.w() < 0.0 ? -1.0 : 1.0;
-  const double sine = q.vec().norm();
-  const double scale = sine < 1e-9 ? 2.0 : 2.0 * std::atan2(sine, sign * q.w()) / sine;
+  const double half_angle_sine = q.vec().norm();
+  const double scale = half_angle_sine < 1e-9
+                           ? 2.0
+                           : 2.0 * std::atan2(half_angle_sine, sign * q.w()) / half_angle_sine;
   return sign * scale * q.vec();
 }
 

@@ -33,20 +33,22 @@ class RunLog {
   /// Add a tick; a full log drops its oldest one. Real-time: yes.
   void add(const RunTick& tick) noexcept {
     if (ticks_.empty()) return;
-    ticks_[added_ % ticks_.size()] = tick;
-    ++added_;
+    ticks_[added_count_ % ticks_.size()] = tick;
+    ++added_count_;
   }
 
   /// Return the number of ticks that are kept now. Real-time: yes.
-  std::size_t size() const noexcept { return added_ < ticks_.size() ? added_ : ticks_.size(); }
+  std::size_t size() const noexcept {
+    return added_count_ < ticks_.size() ? added_count_ : ticks_.size();
+  }
   /// Return tick k, counted from the oldest, 0. k must be less than size(). Real-time: yes.
   const RunTick& operator[](std::size_t k) const noexcept {
-    return ticks_[(added_ - size() + k) % ticks_.size()];
+    return ticks_[(added_count_ - size() + k) % ticks_.size()];
   }
 
  private:
   std::vector<RunTick> ticks_;
-  std::size_t added_ = 0;
+  std::size_t added_count_ = 0;
 };
 
 }  // namespace surefoot

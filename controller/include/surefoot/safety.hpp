@@ -69,12 +69,12 @@ class Safety {
   /// Return P [W] of the last power_protect(), or 0 before the first call. Real-time: yes.
   double power() const noexcept { return power_; }
   /// Return the counter of power_protect(), 0 .. 10; the protection trips above 5. Real-time: yes.
-  int power_counter() const noexcept { return counter_; }
+  int power_counter() const noexcept { return power_counter_; }
   /// Return the SDK number of the first motor outside its range in the last position_protect(), or
   /// -1 if there was none. Real-time: yes.
-  int position_motor() const noexcept { return motor_; }
+  int position_motor() const noexcept { return position_motor_; }
   /// Return the angle [rad] of position_motor(), or 0 if there is none. Real-time: yes.
-  double position_angle() const noexcept { return angle_; }
+  double position_angle() const noexcept { return position_angle_; }
 
   /// Reset the counter and all results of earlier calls. Real-time: yes.
   void reset() noexcept;
@@ -82,9 +82,9 @@ class Safety {
  private:
   Vector12 q_lower_, q_upper_;
   double power_ = 0.0;
-  int counter_ = 0;
-  int motor_ = -1;
-  double angle_ = 0.0;
+  int power_counter_ = 0;
+  int position_motor_ = -1;
+  double position_angle_ = 0.0;
 };
 
 }  // namespace surefoot

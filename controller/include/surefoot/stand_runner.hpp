@@ -18,8 +18,10 @@ struct RunOptions {
   /// [s] Time from first standing until finish() is called. Infinity: the run ends only with
   /// finish() or stop().
   double duration = std::numeric_limits<double>::infinity();
-  int power_level = 1;  ///< level of Safety::power_protect(), 1 .. 10; 0: off, kStanding only
-  bool remote = true;   ///< true: the sticks of the remote move the body, and button B damps
+  /// Level of Safety::power_protect(), 1 .. 10. 0: no protection; allowed only for
+  /// Start::kStanding.
+  int power_level = 1;
+  bool remote = true;  ///< true: the sticks of the remote move the body, and button B damps
   double connect_timeout = 5.0;  ///< [s] longest wait for the first valid LowState
   /// State of the robot at the start. kStanding: the runner takes over the robot at once. kLying:
   /// the robot must pass the arming checks first, and power_level must be 1 .. 10.
@@ -40,7 +42,7 @@ enum class RunPhase {
   kRising,    ///< the robot rises
   kStanding,  ///< the StandController is in control
   kSitting,   ///< the robot sits down
-  kDamping,   ///< damping is latched: the motors damp until arm()
+  kDamping,   ///< the motors damp until arm(), or until a robot whose clock had paused continues
   kEnded      ///< the run ends after 0.2 s of damping commands
 };
 /// Return the name of a phase, such as "standing". Real-time: yes.
@@ -96,14 +98,14 @@ struct RunSnapshot {
   std::uint64_t missed_periods = 0;
   /// [s] Length of the last gap in which no LowState arrived or this process did not run.
   double silence_time = 0.0;
-  std::uint64_t dampings = 0;  ///< number of times that damping was latched
-  /// Number of latched dampings that ended without arm(), because the clock of the robot had paused
-  /// together with its samples.
+  std::uint64_t dampings = 0;  ///< number of times that the phase kDamping began
+  /// Number of times that the phase kDamping ended without arm(), because the clock of the robot
+  /// had paused together with its samples.
   std::uint64_t resumed_dampings = 0;
   std::uint64_t rearms = 0;               ///< number of times that arm() ended latched damping
   std::uint64_t refused_rearms = 0;       ///< number of rearm() calls that were refused
   double measured_power = 0.0;            ///< [W] motor power that the power protection judged last
-  double power_at_damping = 0.0;          ///< [W] measured_power when damping was last latched
+  double power_at_damping = 0.0;          ///< [W] measured_power when phase kDamping last began
   double greatest_power = 0.0;            ///< [W] largest measured_power outside damping
   double height = 0.0;                    ///< [m] estimated height of the base origin, world frame
   double tilt = 0.0;                      ///< [rad] estimated angle between base z and world z
@@ -137,9 +139,9 @@ struct RunSnapshot {
 /// ends with damping commands.
 ///
 /// Without a new LowState, the last command is repeated for at most 10 ms; then the motors damp,
-/// and after 20 ms damping is latched. Only arm() ends latched damping, with one exception: if
-/// samples return within 100 ms and their tick shows that the clock of the robot had paused as
-/// well, the run continues. Damping is also latched if this process does not run for more than 100
+/// and after 20 ms the phase is kDamping. If samples return within 100 ms and their tick shows that
+/// the clock of the robot had paused as well, the run continues. Otherwise damping is latched, and
+/// only arm() ends it. Damping is also latched if this process does not run for more than 100
 /// ms. After a shorter pause the run continues with the newest LowState.
 class StandRunner {
  public:
@@ -186,7 +188,8 @@ class StandRunner {
   /// Return a copy of the last published snapshot. Call this function from any thread except that
   /// of run(). Real-time: no.
   RunSnapshot snapshot() const;
-  /// Describe the scheduling and memory locking that run() got; empty before run(). Real-time: no.
+  /// Describe the scheduling and memory locking that run() got; "not running" before run().
+  /// Real-time: no.
   std::string real_time() const;
   int local_port() const noexcept;  ///< local UDP port
 

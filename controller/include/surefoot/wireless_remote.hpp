@@ -34,7 +34,7 @@ struct WirelessRemote {
   float ly = 0.0F;            ///< left stick, positive up: -1 .. 1
   float rx = 0.0F;            ///< right stick, positive to the right: -1 .. 1
   float ry = 0.0F;            ///< right stick, positive up: -1 .. 1
-  float L2 = 0.0F;            ///< trigger: 0 .. 1
+  float L2 = 0.0F;            ///< position of the trigger L2: 0 .. 1; its button is Button::kL2
 
   /// Return whether a button is pressed. Real-time: yes.
   bool pressed(Button button) const noexcept {
@@ -43,7 +43,8 @@ struct WirelessRemote {
 };
 
 /// Decode the 40 bytes of LowState::wirelessRemote. All bytes are zero if the remote is at rest or
-/// missing. If a stick value is not finite or its magnitude is above 1.05, all sticks are set to 0.
+/// missing. If the value of a stick or of the trigger L2 is not finite or above 1.05 in magnitude,
+/// all sticks and the trigger are set to 0.
 /// Buttons are decoded in any case, because a button may damp the robot. Real-time: yes.
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept;
 

@@ -19,8 +19,8 @@ class QuadrupedDynamics;
 /// Pinocchio's v.
 ///
 /// The contact Jacobian describes a sphere of radius r that rolls on ground with normal n:
-/// J = J_centre + [r n]x J_angular. So the shank can rotate about the foot without a friction
-/// force. Real-time: update() yes.
+/// J = J_centre + [r n]x J_angular, where [a]x is the matrix of the cross product a x. So the shank
+/// can rotate about the foot without a friction force. Real-time: update() yes.
 class Dynamics {
  public:
   enum class Source { kAuto, kPinocchio };  ///< kPinocchio: only for tests that compare both
@@ -40,7 +40,8 @@ class Dynamics {
   ///
   /// The estimator calls update() before it knows position and velocity of the base, with the base
   /// at the origin and without linear velocity. The equations of motion do not depend on the
-  /// inertial frame. So shift() only changes points and velocities; v_base() does not change.
+  /// inertial frame. So shift() only changes points, their velocities and a_base_shift(); v_base()
+  /// does not change.
   void shift(const Vector3& p_world, const Vector3& v_world) noexcept;
 
   /// Return whether the model is a free base with four chains of three joints and nothing else. The
@@ -60,8 +61,8 @@ class Dynamics {
   const Matrix3& R_world_base() const noexcept { return terms_.R_world_base; }
   const Vector3& p_world_com() const noexcept { return terms_.p_world_com; }
   const Vector3& v_world_com() const noexcept { return terms_.v_world_com; }
-  /// Amount by which shift() changed the linear spatial acceleration of the base: -w x v, base axes
-  /// [m/s^2].
+  /// Amount by which shift() changed the linear spatial acceleration of the base, base axes
+  /// [m/s^2]: -w x v, where v is the velocity that was passed to shift().
   const Vector3& a_base_shift() const noexcept { return a_base_shift_; }
   Vector3 w_world_base() const noexcept { return terms_.R_world_base * terms_.w_base; }
   const Vector3& w_base() const noexcept { return terms_.w_base; }

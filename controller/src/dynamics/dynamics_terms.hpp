@@ -14,7 +14,8 @@ using Matrix36 = Eigen::Matrix<double, 3, 6>;
 /// accelerations of the contact point are in world axes.
 struct LegDynamics {
   Vector3 p_world_contact;  ///< [m] foot centre minus radius times ground normal
-  /// [m/s] Velocity of the foot's material point at the contact; zero if the foot rolls.
+  /// [m/s] Velocity of the foot's material point at the contact; zero if the foot rolls without
+  /// slip.
   Vector3 v_world_contact;
   /// [rad/s] Angular velocity of the shank, the body to which the foot belongs.
   Vector3 w_world_shank;

@@ -12,13 +12,14 @@ namespace {
 // Largest number of Newton steps. Chosen: each step doubles the number of correct digits, so more
 // steps would find no further solution.
 constexpr int kMaxNewtonSteps = 6;
-// [m] Foot error below which a solution is accepted. Chosen smaller than the resolution of the
-// encoders, 6e-6 m at the foot.
+// [m] Foot position error up to which a solution is accepted. Chosen smaller than the resolution of
+// the joint encoders, which is 6e-6 m at the foot.
 constexpr double kTolerance = 1e-6;
-// [rad] Largest change of a joint in one step. Chosen. If larger: a leg could fold over.
+// [rad] Largest change of a joint in one step. Chosen. If larger: a step could bend the knee to the
+// other side.
 constexpr double kMaxJointStep = 0.2;
-// [m^3] A leg with a smaller determinant of its Jacobian is singular. Numerical: with links of
-// 0.2 m the determinant is about 0.2^3 = 8e-3.
+// [m^3] A leg is singular if the determinant of its Jacobian is smaller. Numerical: far below the
+// determinant of a regular leg, which is about 0.2^3 = 8e-3 with links of 0.2 m.
 constexpr double kMinDeterminant = 1e-7;
 }  // namespace
 

@@ -26,9 +26,9 @@ constexpr double kCertainContact = 0.9;
 // the gyroscope (0.02 and 0.01 rad/s by default). If larger: rotation with centripetal acceleration
 // counts as rest.
 constexpr double kRestRate = 0.2;
-// The feet carry the robot if both limits are exceeded.
-// Load of all feet, as a share of the weight. Chosen between 0, the load in the air, and 1, the
-// load at rest.
+// The feet carry the robot if both of these limits are exceeded:
+// Sum of the loads of all feet, as a share of the weight. Chosen between 0, the sum in the air, and
+// 1, the sum at rest.
 constexpr double kSupportedShare = 0.4;
 // Sum of the contact confidences. Derived: half-way between two and three feet.
 constexpr double kMinContactSum = 2.5;
@@ -166,9 +166,9 @@ bool StateEstimator::Impl::supported() const noexcept {
 }
 
 // Compute the external wrench. PayloadObserver slowly attributes the contact forces that the model
-// does not explain to a payload. PushObserver quickly attributes the acceleration that the plan
-// does not explain to a push. The plan already contains the payload and the push that were
-// estimated when it was made.
+// does not explain to a payload. PushObserver quickly attributes the acceleration that the planned
+// motion does not explain to a push. The planned motion already contains the payload and the push
+// that were estimated when the motion was planned.
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   payload.update(gains, dynamics, leg_forces.forces(), supported, dt);

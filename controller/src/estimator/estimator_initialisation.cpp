@@ -9,15 +9,16 @@ namespace surefoot {
 
 namespace {
 
-// [rad] Smallest initial standard deviation of the tilt, 3 deg. Chosen equal to kMaxTiltDifference.
+// [rad] Smallest initial standard deviation of the tilt, 3 deg. Chosen equal to the tilt difference
+// below which quaternion and accelerometer agree.
 constexpr double kMinTiltSigma = 0.05;
 // The accelerometer measures gravity alone if the norm of the specific force differs from g by less
 // than this share of g. Chosen larger than bias and scale error of an accelerometer
 // (start_accelerometer_bias is 0.01 g), and smaller than the accelerations of a moving robot.
 constexpr double kRestTolerance = 0.1;
 // [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen larger than
-// 0.6 deg, the tilt error that a bias of 0.1 m/s^2 causes, and smaller than 5 deg,
-// kMaxTiltDifference of QuaternionTiltCheck.
+// 0.6 deg, the tilt error that a bias of 0.1 m/s^2 causes, and smaller than the 5 deg of
+// QuaternionTiltCheck.
 constexpr double kMaxTiltDifference = 0.05;
 // [rad] The filter estimates biases once the standard deviation of the tilt is below this value,
 // 2 deg. Chosen smaller than kMinTiltSigma, so that alignment always takes place, and larger than
@@ -93,8 +94,9 @@ void StateEstimator::Impl::reset() noexcept {
 void StateEstimator::Impl::initialise() noexcept {
   Quaternion R =
       remove_yaw(imu.has_quaternion ? imu.R_world_base : attitude_from_accelerometer(imu.f_base));
-  // If the robot does not fill the quaternion, it is (1, 0, 0, 0) and has unit length too. So at
-  // rest the accelerometer replaces a quaternion whose tilt differs by more than start_tilt.
+  // A robot that does not measure its attitude may send the quaternion (1, 0, 0, 0), which has unit
+  // length too. So at rest the tilt of the accelerometer replaces a quaternion whose tilt differs
+  // from it by more than start_tilt.
   if (measures_gravity(imu.f_base) && tilt_between(imu.f_base, R) > gains.start_tilt)
     R = attitude_from_accelerometer(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();

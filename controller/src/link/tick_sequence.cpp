@@ -11,7 +11,8 @@ namespace {
 // test_tick_sequence.cpp.
 constexpr int kRestartSamples = 5;
 // [s] Smallest mean time between the arrivals of these samples, per millisecond of LowState::tick.
-// Derived: half of the true time, 1 ms. Late samples in a burst arrive faster.
+// Derived: half of 1 ms, the time at the pace of the robot's clock. Late samples in a burst arrive
+// faster.
 constexpr double kMinArrivalSpacing = 0.5e-3;
 // Number of consecutive equal steps that set a new period. Chosen: fewer could come from single
 // lost samples; with more, lost samples would be miscounted for longer. Test:

@@ -11,14 +11,15 @@ namespace {
 // Tests: test_values_beyond_the_sensor_range_are_implausible,
 // test_nearly_unit_quaternion_is_normalised.
 constexpr double kUnitNormTolerance = 0.05;  // |quaternion norm - 1|, above float rounding
-constexpr double kMaxMagnitude = 1e4;        // in any unit, beyond every field
+constexpr double kMaxMagnitude = 1e4;  // in the unit of the field; beyond the values of every field
 constexpr double kMaxAngularRate = 40.0;  // [rad/s] assumed full scale 2000 deg/s = 34.9, plus 15 %
 constexpr double kMaxAcceleration = 200.0;  // [m/s^2] assumed full scale 16 g = 157, plus 27 %
-constexpr double kJointMargin = 1.0;   // [rad] beyond the range: a folded calf rests outside it
+constexpr double kJointMargin = 1.0;   // [rad] beyond the joint range; a folded calf rests outside
 constexpr double kSpeedFactor = 2.0;   // times the motor's no-load speed
 constexpr double kTorqueFactor = 3.0;  // times the motor's largest torque
 
-// Check of all fields that keeps the worst status. NaN fails the comparisons.
+// Checks one field after the other and keeps the worst status. The comparisons are written so that
+// NaN fails.
 struct FieldCheck {
   Status status = Status::kOk;
   void operator()(double value, double lower, double upper) noexcept {

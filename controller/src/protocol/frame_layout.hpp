@@ -9,7 +9,7 @@ namespace surefoot {
 enum class FieldKind : std::uint8_t {
   kBytes,         ///< copied; `count` is a number of bytes
   kFloat,         ///< float, copied; the value must be finite
-  kTorque,        ///< float to int16, in the layout's torque unit
+  kTorque,        ///< float [N.m] to int16, multiplied by FrameLayout::torque_unit
   kStiffness,     ///< float to uint16, in units of 1/32
   kDamping,       ///< float to uint16, in units of 1/16
   kInt16,         ///< float to int16, in units of 1
@@ -35,7 +35,7 @@ struct Section {
   int repeat = 1;
 };
 
-/// Layout of a frame, without the CRC at its end.
+/// Layout of a frame. The sections describe everything but the CRC, the last four bytes.
 struct FrameLayout {
   std::array<Section, 5> sections;
   int count;           ///< number of sections in use

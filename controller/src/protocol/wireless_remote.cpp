@@ -8,8 +8,9 @@ namespace surefoot {
 
 namespace {
 
-// Largest valid |stick value|. Chosen 5 % larger than 1, because the calibration of sticks is not
-// exact. Larger values do not come from a stick.
+// Largest valid magnitude of a stick or of the trigger L2, which kSticks includes. Chosen 5 %
+// larger than 1, because the calibration of sticks is not exact. Larger values do not come from a
+// stick.
 constexpr float kMaxStickValue = 1.05F;
 
 struct Stick {

@@ -11,10 +11,11 @@ namespace {
 // [s] A limit is cleared when no axis has been blocked for this time. Chosen. If shorter: the
 // status would flicker from tick to tick. If longer: an operator would see an old limit.
 constexpr double kLimitHoldTime = 0.1;
-// Numerical tolerances:
-// Errors of pose [m], [rad] and velocity [m/s], [rad/s] below which the target is reached.
+// [m], [rad] and [m/s], [rad/s]. The target is reached if all errors of pose and velocity are below
+// this value. Numerical tolerance.
 constexpr double kTargetTolerance = 1e-5;
-// [m] Displacement of a foot above which the pose is evaluated again: ten times kTargetTolerance.
+// [m] Displacement of a foot above which the pose is evaluated again, although the body is at its
+// target. Numerical tolerance: ten times kTargetTolerance.
 constexpr double kFootTolerance = 1e-4;
 // [m], [rad] Displacement with which probe_axis() tests an axis. Far above kTolerance of
 // StanceKinematics, 1e-6 m.
@@ -90,8 +91,8 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   p_com_ += v_com_ * dt;
 }
 
-// Evaluate the present pose with the present feet. Set the centre of mass and violation_, which the
-// next pose must not exceed.
+// Evaluate the present pose with the present feet. Set the centre of mass and violation_. The
+// violation of the next pose must not exceed violation_.
 void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                                        const Vector3& gravity) noexcept {
   const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);

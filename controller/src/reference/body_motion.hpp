@@ -27,8 +27,8 @@ class BodyMotion {
   /// @param q configuration at the latch, shape (nq,); initial guess of the inverse kinematics
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
 
-  /// Return to the latched pose at once and drop the target. p_com() does not change before
-  /// latch().
+  /// Set the pose and the target to the latched pose at once. p_com() keeps its value until the
+  /// next latch() or update().
   void reset() noexcept;
 
   /// Set the target. A target with NaN or infinity is rejected, and the last valid target is kept.
@@ -43,7 +43,7 @@ class BodyMotion {
   /// Return the present pose (x, y, height, roll, pitch, yaw) relative to the latched pose.
   BodyReference relative_pose() const noexcept;
   /// Return kNotFinite if the last target was rejected. Otherwise return the limit that stops the
-  /// motion, or kNone if no limit does.
+  /// motion, or kNone if no limit stops it.
   ReachStatus status() const noexcept {
     return request_rejected_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
   }

@@ -34,10 +34,11 @@ constexpr double kSwingTime = 0.6;
 // [h] Height of a swing foot: 24 mm at h = 0.3 m. More than the displacement of the contact point
 // by rolling of the foot.
 constexpr double kLiftHeight = 0.08;
-// [h] Depth of the desired position below the ground at landing. It ensures contact.
+// [h] Depth of the foot's desired position below the ground at landing. A position below the ground
+// ensures contact.
 constexpr double kPressDepth = 0.1;
-// [h] Capture margin after landing that a step must exceed. Just above 0, where the robot tips
-// over.
+// [h] Capture margin after landing that a step must exceed. Chosen just above 0; with a margin
+// below 0 the robot tips over.
 constexpr double kMinMargin = 0.01;
 // [sqrt(g h)] Largest speed of a foot's desired position. Measured: at a latency of 20 ms a go2
 // survives 100 % of the pushes with this value, and 97.5 % with half of it (git b8a299d).

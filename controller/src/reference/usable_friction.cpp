@@ -12,8 +12,8 @@ namespace {
 
 // Share of RobotConfig::friction that a foot may use while the capture point is at least
 // kEdgeDistance inside the support polygon. Measured: with 1, a push of half the push limit made
-// feet slide by centimetres on floors with friction 0.5 and 0.6 (git 19c79ff). If smaller: near the
-// edge, braking needs more friction than the share allows before it has risen.
+// feet slide by centimetres on floors with friction 0.5 and 0.6 (git 19c79ff). If smaller: when a
+// push begins, braking needs more friction than the share allows until the share has risen.
 constexpr double kNominalShare = 0.7;
 // [s] Assumed remaining duration of a push. Derived: the duration of the pushes of `surefoot
 // assess`.
@@ -29,9 +29,9 @@ constexpr double kEdgeDistance = 0.06;
 double required_share(const Dynamics& dynamics, const RobotState& state, const Reference& reference,
                       double mass) noexcept {
   const Vector3 dv_com = kRemainingPushTime / mass * state.f_external;
-  // When a push ends, the estimate of the external force briefly has the opposite direction. With
-  // this estimate alone, the margin would be too large and the share too small for braking. So the
-  // smaller of the two margins counts.
+  // When a push ends, the estimate of the external force briefly has the opposite direction. The
+  // margin computed with this estimate is then too large, and the share would be too small for
+  // braking. So the smaller of the margins without and with the external force counts.
   const double margin =
       std::min(capture_margin(dynamics, reference), capture_margin(dynamics, reference, dv_com));
   if (!std::isfinite(margin)) return 1.0;  // on two feet the robot needs all friction

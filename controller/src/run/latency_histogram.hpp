@@ -15,10 +15,8 @@ class LatencyHistogram {
   /// Return the quantile for `share`, 0 .. 1, as the upper edge of its bin [us]. Return 0 if there
   /// are no durations.
   double quantile(double share) const noexcept;
-  double greatest() const noexcept {
-    return greatest_;
-  }  ///< [us] largest duration, not rounded to
-     ///< a bin
+  /// Return the largest duration [us], not rounded to a bin.
+  double greatest() const noexcept { return greatest_; }
 
  private:
   // Bins per octave times number of octaves, see latency_histogram.cpp.

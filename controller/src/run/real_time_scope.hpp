@@ -24,8 +24,8 @@ class RealTimeScope {
   std::string scheduling_, memory_;
 };
 
-/// Timer with absolute deadlines, one period apart. It skips missed periods, so ticks never follow
-/// each other without a pause to catch up. Real-time: yes.
+/// Timer with absolute deadlines, one period apart. Missed periods are skipped: the timer never
+/// returns several times in a row to catch up. Real-time: yes.
 class PeriodicTimer {
  public:
   /// @param period [s]

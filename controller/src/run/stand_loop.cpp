@@ -163,7 +163,7 @@ void StandLoop::sit_down_and_end() noexcept {
       (!is_up && !supervisor_.fading())) {
     end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
-    // Rejected while torques fade, so it is repeated in the next tick.
+    // While torques fade, the request is rejected. So it is repeated in the next tick.
     supervisor_.request(Mode::kSit);
   }
 }

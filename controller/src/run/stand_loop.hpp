@@ -88,7 +88,8 @@ class StandLoop {
   // [s] Time when RunOptions::duration began; negative: not yet.
   double duration_start_ = -1.0;
   std::uint64_t counted_restarts_ = 0;  // number of restarts of the robot that have been handled
-  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // samples that the supervisor has counted
+  // Numbers of samples that have been reported to the supervisor.
+  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;
   bool phase_changed_ = false;
   bool stood_as_requested_ = false;  // true if the robot stands, or has lain down on request
   std::atomic<bool> stop_requested_{false}, damp_requested_{false}, finish_requested_{false};

@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-// Log for log_tail after the motors were last driven. A longer log of damping would overwrite the
-// ticks that led to it.
+// Add the tick to the log, until log_tail [s] after the motors were last driven. A longer log of
+// damping would overwrite the ticks that led to damping.
 void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   const Mode mode = supervisor_.mode();
   const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s]
@@ -40,7 +40,8 @@ void StandLoop::update_phase() noexcept {
   snapshot_.phase = phase;
 }
 
-// A robot that already lies may damp, and still has stood as requested.
+// Update stood_as_requested_ when the mode changes. Damping while the robot lies (from kPassive)
+// leaves it unchanged.
 void StandLoop::update_stood_as_requested(Mode previous_mode) noexcept {
   if (snapshot_.mode == previous_mode) return;
   const bool damped_while_driven =

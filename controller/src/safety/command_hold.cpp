@@ -4,8 +4,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRounding = 1e-9;  // [s] numerical: sums of periods, which are whole milliseconds
-}
+// [s] Numerical: tolerance for the rounding of summed periods, which are whole milliseconds.
+constexpr double kRounding = 1e-9;
+}  // namespace
 
 const LowCmd& CommandHold::accept(const LowCmd& command) noexcept {
   command_ = command;

@@ -18,7 +18,8 @@ class CommandHold {
   const LowCmd& accept(const LowCmd& command) noexcept;
 
   /// Return the command for a tick without a good command. Until kHoldTime after the last good
-  /// command this is the last command; after that it is damping, which is then latched.
+  /// command, return the last command again; after that, latch and return damping. Before the first
+  /// good command, return damping without latching it.
   /// @param elapsed duration of this tick [s]
   /// @param damping_kd Kd of damping [N.m.s/rad]
   const LowCmd& repeat_or_damp(double elapsed, double damping_kd) noexcept;
@@ -32,7 +33,7 @@ class CommandHold {
   const LowCmd& damp(double damping_kd) noexcept;
 
   double age() const noexcept { return age_; }  ///< [s] time since the last good command
-  const LowCmd& last() const noexcept { return command_; }  ///< the command that was returned last
+  const LowCmd& last() const noexcept { return command_; }  ///< command that was returned last
   bool latched() const noexcept { return latched_; }
   /// Return whether there has been a good command and damping is not latched.
   bool in_control() const noexcept { return has_command_ && !latched_; }

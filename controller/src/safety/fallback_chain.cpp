@@ -12,9 +12,9 @@ namespace surefoot {
 
 namespace {
 
-// Number of iterations. The first iteration distributes the wrench, the others distribute what
-// clamping has removed. Chosen. If smaller: not enough for feet at their friction cones. If larger:
-// too slow for a tick.
+// Number of iterations. The first iteration distributes the change of the wrench. Each further
+// iteration distributes the part of the wrench that clamping has removed. Chosen. If smaller: not
+// enough for feet at their friction cones. If larger: too slow for a tick.
 constexpr int kShareIterations = 10;
 
 Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double friction,

@@ -7,7 +7,8 @@ namespace surefoot {
 
 namespace {
 
-// Bisections of [0, 1]; derived: 2^-50, about the resolution of a double.
+// Number of bisections of [0, 1]. Derived: the last interval is 2^-50, about the resolution of a
+// double.
 constexpr int kBisections = 50;
 
 /// Power as a function of s: the power of motor i is |a_i + s b_i| [W].

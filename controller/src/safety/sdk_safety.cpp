@@ -37,19 +37,20 @@ int Safety::power_protect(const LowCmd&, const LowState& state, int level) noexc
   power_ = motor_power(state);
   const double limit = kWattsPerLevel * std::clamp(level, 1, kMaxLevel);
   const bool within_limit = power_ <= limit;  // false for NaN
-  counter_ = within_limit ? std::max(counter_ - 1, 0) : std::min(counter_ + 1, kMaxCount);
-  return counter_ > kTripCount || !std::isfinite(power_) ? -1 : 1;
+  power_counter_ =
+      within_limit ? std::max(power_counter_ - 1, 0) : std::min(power_counter_ + 1, kMaxCount);
+  return power_counter_ > kTripCount || !std::isfinite(power_) ? -1 : 1;
 }
 
 int Safety::position_protect(const LowCmd&, const LowState& state, double limit) noexcept {
-  motor_ = -1;
-  angle_ = 0.0;
+  position_motor_ = -1;
+  position_angle_ = 0.0;
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
     // With this form of the condition, a NaN angle or a NaN limit counts as outside.
     if (q >= q_lower_[i] + limit && q <= q_upper_[i] - limit) continue;
-    motor_ = i;
-    angle_ = q;
+    position_motor_ = i;
+    position_angle_ = q;
     return -1;
   }
   return 1;
@@ -66,9 +67,9 @@ void Safety::position_limit(LowCmd& cmd) const noexcept {
 
 void Safety::reset() noexcept {
   power_ = 0.0;
-  counter_ = 0;
-  motor_ = -1;
-  angle_ = 0.0;
+  power_counter_ = 0;
+  position_motor_ = -1;
+  position_angle_ = 0.0;
 }
 
 }  // namespace surefoot

@@ -7,7 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // [s] numerical: sums of periods, which are whole milliseconds
+// [s] Numerical: tolerance for the rounding of summed periods, which are whole milliseconds.
+constexpr double kRounding = 1e-9;
 // [periods] Longest step that is not a jump. Chosen shorter than the step of a clock that has
 // jumped. If smaller: samples lost by a slow loop count as a jump. Test: test_tick_clock.cpp.
 constexpr double kJumpPeriods = 5.0;

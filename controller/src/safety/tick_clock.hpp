@@ -24,9 +24,10 @@ class TickClock {
   /// tick. 0 for a bad tick and for the first tick.
   double gap() const noexcept { return gap_; }
 
-  /// Period of the samples [s], at most kMaxStep. It is the second longest of the last four steps,
-  /// so a short step after jitter does not let an old command act longer, and one lost sample does
-  /// not make the command age twice as fast. It is also the assumed duration of a bad tick.
+  /// Period of the samples [s], at most kMaxStep: the second longest of the last four steps. So a
+  /// short step after jitter does not let an old command act longer, and one lost sample does not
+  /// make the command age twice as fast. Callers also use this period as the duration of a bad
+  /// tick.
   double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(jump_threshold_); }

@@ -58,8 +58,9 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   // foot that is unloaded for a moment carries its share of the load again when the other legs
   // yield.
   if (limited_.limit_exceeded) limit_power_to(Eigen::Vector4d::Ones(), power_limit_);
-  // If these holding torques alone exceed the limit, do not scale the command: a robot that is
-  // dropped falls and takes several times that power. The power protection then is the last limit.
+  // If these holding torques alone exceed the limit, do not scale the command: a robot with too
+  // little torque falls, and its motors then take several times that power. The power protection is
+  // then the only limit.
   if (limited_.limit_exceeded) limit_power_to(state.contact, kUnlimited);
   const bool any_leg_limited = limit_runaway_legs(dq);
   if (limited_.scale == 1.0 && !any_leg_limited) return false;
@@ -78,9 +79,10 @@ Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {
   return dq;
 }
 
-// Limit runaway legs last, even below the holding torques: the power of one leg may rise by at most
-// a quarter of the limit. The rise is extrapolated from the estimated joint velocities of this
-// sample; `dq` may be predicted over the delay. Return whether a leg was limited.
+// Limit the torques of runaway legs after all other limits, even to less than the holding torques:
+// the power of one leg may rise by at most a quarter of the power limit. The rise is extrapolated
+// from the estimated joint velocities of this sample; `dq` may be predicted over the delay. Return
+// whether a leg was limited.
 bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   const double share = power_limit_ / kLegs;
   const Vector12 total_torque = limited_.torques - damping_ * dq;

@@ -102,7 +102,7 @@ void Supervisor::Impl::handle_request(int request) noexcept {
     context.mode = Mode::kPassive;
     context.armed = true;
     command_hold.reset();
-    clock_monitor = {};  // joints at rest would otherwise keep the last verdict
+    clock_monitor = {};  // while the joints rest, ClockMonitor would keep its last verdict
     for (const FaultId cleared :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(cleared, false);

@@ -13,8 +13,8 @@ const LowCmd& Supervisor::Impl::update_without_state(double age) noexcept {
   const bool known_age = age >= 0.0;  // neither negative nor NaN
   if (!known_age || age > kStaleTime) invalidate_state();
   publish();
-  // command_hold.age() is the time of the unusable samples before this gap. So the sum is the age
-  // of the last command.
+  // command_hold.age() is the duration of the unusable samples before this gap. So the sum of `age`
+  // and command_hold.age() is the age of the last good command.
   if (applies_torque() && known_age && age + command_hold.age() <= kHoldTime)
     return command_hold.last();
   motors.skip_command();

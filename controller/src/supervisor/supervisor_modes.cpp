@@ -12,8 +12,8 @@ namespace {
 // shorter than TorqueFade::kTime.
 constexpr double kRestTime = 0.03;
 // [rad] 20 degrees: largest joint error from q_standing for which the robot counts as standing. If
-// smaller: poses within BodyReference count as sunk. If larger: a robot that has sunk counts as
-// standing. kPathTolerance and the arming checks use the same value.
+// smaller: a robot in a pose that a BodyReference requested counts as sunk. If larger: a robot that
+// has sunk counts as standing. kPathTolerance and the arming checks use the same value.
 constexpr double kUprightTolerance = 0.35;
 }  // namespace
 
@@ -61,8 +61,8 @@ void Supervisor::Impl::enter_passive() noexcept {
   context.mode = Mode::kPassive;
   // A robot that was taken over while standing now lies, and must pass the checks.
   context.checks_waived = false;
-  // No estimator runs while the robot lies, so nothing shows whether such a fault has ended. The
-  // operator must arm again.
+  // No estimator runs while the robot lies, so nothing shows whether a fault that the estimator
+  // found has ended. The operator must arm again.
   if (estimator_faults.must_sit_down()) context.armed = false;
   log.set(FaultId::kHanging, false);
   fade.start(TorqueSource::kDamping);

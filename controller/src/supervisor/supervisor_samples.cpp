@@ -41,7 +41,7 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   bad_time = sample_fault == FaultId::kNone ? 0.0 : bad_time + dt;
   if (bad_time > kStaleTime) {
     requests.take();
-    // Without arming checks, state_valid is what makes requests fail.
+    // For a robot without arming checks, requests are refused only because of state_valid.
     if (context.checks_waived) context.state_valid = false;
   }
   // A robot that sits down on three legs must be armed again before it can rise.
@@ -73,8 +73,8 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   // rates.
   if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_standing()))
     return FaultId::kAttitude;
-  // After such a gap the robot has damped by itself. A caller of count_samples() detects gaps
-  // itself and calls report_link_lost().
+  // After a gap longer than kRobotWatchdogTime the robot has damped by itself. A caller of
+  // count_samples() detects gaps itself and calls report_link_lost().
   if (active() && !arming.has_link_counts() && clock.gap() > kRobotWatchdogTime)
     return FaultId::kStaleTick;
   // While the motors only damp, old values do no harm; only stopped sensors are a fault.

@@ -7,8 +7,8 @@
 namespace surefoot {
 
 namespace {
-// A row counts as dependent if the squared norm of its part that is independent of the active rows
-// is at most this share of its whole squared norm, both in H's metric. Numerical tolerance; test:
+// A row counts as dependent on the active rows if the squared norm of its residual is at most this
+// share of the squared norm of the whole row. Both norms are c'H^-1 c. Numerical tolerance; test:
 // degenerate_and_near_parallel_constraints_are_solved.
 constexpr double kMinIndependent = 1e-9;
 }  // namespace
@@ -29,7 +29,8 @@ ActiveConstraints::ActiveConstraints(int n, int n_eq)
 
 bool ActiveConstraints::start(const QpProblem& problem) noexcept {
   count_ = 0;
-  if (!problem.H.allFinite()) return false;  // the factorisation reads one triangle only
+  // The factorisation reads only one triangle of H, so it would miss a NaN in the other triangle.
+  if (!problem.H.allFinite()) return false;
   H_.compute(problem.H);
   if (H_.info() != Eigen::Success) return false;
   w_ = -problem.g;
@@ -46,8 +47,8 @@ bool ActiveConstraints::start_equalities(const RowMatrix& A, const Eigen::Vector
   H_.matrixL().solveInPlace(V);
   auto R = R_.topLeftCorner(count_, count_);
   R.noalias() = V.transpose() * V;
-  // Zero rows (of a soft foot) get a unit pivot. The multiplier of such a row is zero and affects
-  // no other row.
+  // Zero rows (written for a soft foot) get a unit pivot. The multiplier of such a row is zero, and
+  // the row affects no other row.
   for (Eigen::Index k = 0; k < count_; ++k) {
     if (R(k, k) == 0.0) R(k, k) = 1.0;
   }

@@ -19,7 +19,8 @@ namespace surefoot {
 class ActiveConstraints {
  public:
   /// @param n number of variables
-  /// @param n_eq number of equalities, zero rows included. There is room for n_eq + n constraints
+  /// @param n_eq number of rows of A, including rows that are all zeros (GeneralQp writes zero rows
+  ///   for soft feet). There is room for n_eq + n constraints
   ActiveConstraints(int n, int n_eq);
 
   /// Set the QP and remove all constraints. @return false if H is not finite or not positive
@@ -29,8 +30,9 @@ class ActiveConstraints {
   /// Add all equalities A x = b, before any other row. @return false if they depend on each other
   bool start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept;
 
-  /// Project a candidate row on the active rows. The functions that follow describe the residual,
-  /// which is the part of the candidate row that the active rows do not span.
+  /// Project a candidate row side c on the active rows. The residual is the part of the candidate
+  /// row that the active rows do not span. is_dependent(), squared_residual(), residual_norm(),
+  /// dual_direction() and append() use the row that was projected last.
   template <typename Row>
   void project(const Row& c, double side) noexcept {
     v_ = side * c.transpose();
@@ -39,7 +41,7 @@ class ActiveConstraints {
   bool is_dependent() const noexcept;  ///< true if the residual is zero within rounding
   double squared_residual() const noexcept {
     return squared_residual_;
-  }  ///< squared norm of the residual, in H's metric
+  }  ///< squared norm r'H^-1 r of the residual r
   /// Compute the norm of the residual of a nearly dependent row. For such a row squared_residual()
   /// loses all digits by cancellation. The call overwrites the candidate row: call it once, and do
   /// not append the row afterwards.
@@ -50,12 +52,12 @@ class ActiveConstraints {
 
   /// Add the candidate row. @return false, without a change, if it depends on the active rows
   bool append(int row, double side, double bound, double multiplier) noexcept;
-  /// Remove constraint k, counted in the order of row().
+  /// Remove the constraint at position k of the active set, which is the k of row(k).
   void remove(Eigen::Index k) noexcept;
 
   /// Compute the multipliers with all active rows on their bounds.
   void solve_multipliers() noexcept;
-  /// Step towards the candidate row: m -= length * dual_direction.
+  /// Change the multipliers by a step towards the candidate row: m -= length * dual_direction.
   void step(double length) noexcept {
     multipliers_.head(count_) -= length * dual_direction_.head(count_);
   }
@@ -63,13 +65,13 @@ class ActiveConstraints {
   const Eigen::VectorXd& solve_x() noexcept;
 
   Eigen::Index count() const noexcept { return count_; }
-  /// Index of the constraint's row in A (equalities) or in C.
+  /// Index, in A (equalities) or in C, of the constraint at position k of the active set.
   int row(Eigen::Index k) const noexcept { return rows_[static_cast<std::size_t>(k)]; }
   /// 1: upper bound, -1: lower bound
   double side(Eigen::Index k) const noexcept { return sides_[k]; }
   double value(Eigen::Index k) const noexcept {
     return sides_[k] * bounds_[k];
-  }  ///< c'x on its bound
+  }  ///< value of c_k'x when constraint k is on its bound
   double multiplier(Eigen::Index k) const noexcept { return multipliers_[k]; }
   const Eigen::VectorXd& multipliers() const noexcept { return multipliers_; }
 

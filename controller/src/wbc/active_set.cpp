@@ -13,8 +13,9 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // smaller than 1, so that the solution passes QpCheck with a margin, and larger than rounding
 // errors. Test: test_active_set.cpp.
 constexpr double kViolationShare = 0.1;
-// Largest plausible distance between two solutions, in H's metric with trace(H) = n. Chosen: far
-// larger than solutions in QP units, which are of order 1. Test:
+// Largest plausible distance from the present x to a point that satisfies the violated row and all
+// active rows: the norm sqrt(d'H d) of the difference d, with trace(H) = n. Chosen: far larger than
+// solutions in QP units, which are of order 1. Test:
 // nearly_parallel_constraints_are_not_reported_as_infeasible.
 constexpr double kMaxDistance = 1e4;
 
@@ -100,8 +101,9 @@ ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double t
   return found;
 }
 
-// Step towards the violated constraint until it holds. If the multiplier of an active constraint
-// reaches zero first, remove that constraint and continue.
+// Step towards the violated constraint until it holds, and add it to the active set. If the
+// multiplier of an active constraint reaches zero first, remove that constraint and continue. The
+// outcome kSolved means here that the constraint was added; other constraints may be violated.
 ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
                                            const Violation& violation) noexcept {
   const auto& [row, side, amount] = violation;
@@ -131,9 +133,9 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
   }
 }
 
-// The violated row depends on the active rows, and no multiplier limits the step. So these
-// constraints contradict each other. If the row is only nearly dependent, a distant point may
-// satisfy all of them, and ProxQP has to decide.
+// The violated row depends on the active rows, and no multiplier limits the step. So the violated
+// constraint and the active constraints contradict each other. If the row is only nearly dependent,
+// a distant point may satisfy all of them. The outcome is then kGaveUp, and ProxQP has to decide.
 ActiveSet::Outcome ActiveSet::judge_infeasibility(double remaining) noexcept {
   const bool certain = remaining > kMaxDistance * rows_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;

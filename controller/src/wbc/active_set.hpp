@@ -16,11 +16,12 @@ namespace surefoot {
 class ActiveSet {
  public:
   /// Largest number of changes of the active set in one solve; ProxQP solves the QP if more are
-  /// needed. Chosen: larger than the 86 changes that an elastic QP needed from a cold start (24
-  /// from the active set of the hard QP), see docs/explanation/condensed-qp.md.
+  /// needed. Chosen larger than the number that an elastic QP needed: 86 changes from a cold start,
+  /// and 24 from the active set of the hard QP (docs/explanation/condensed-qp.md).
   static constexpr int kMaxChanges = 100;
 
-  /// @param max_changes largest number of constraints that one solve may add and remove, added up
+  /// @param max_changes largest number of changes (constraints added plus constraints removed) in
+  ///   one solve
   ActiveSet(int n, int n_eq, int n_in, int max_changes = kMaxChanges);
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };
@@ -53,7 +54,7 @@ class ActiveSet {
 
   Eigen::Index n_eq_;
   int max_changes_;
-  ActiveConstraints rows_;  // equalities come first and are never removed
+  ActiveConstraints rows_;  // the active set; equalities come first and are never removed
   Eigen::VectorXd x_, Cx_;
   int changes_ = 0;
 };

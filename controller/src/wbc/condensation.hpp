@@ -18,9 +18,9 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 /// The equations of motion and the contact accelerations therefore hold for any f.
 /// docs/explanation/condensed-qp.md has the derivation.
 struct Condensed {
-  Matrix6x12 B;  ///< base acceleration per contact force [N] (FR FL RR RL, world axes)
+  Matrix6x12 B;  ///< base acceleration per newton of contact force (FR FL RR RL, world axes)
   Vector6 c;     ///< base acceleration at zero contact forces
-  Matrix12 T;    ///< joint torques (SDK motor order) per contact force
+  Matrix12 T;    ///< joint torques (SDK motor order) per newton of contact force
   Vector12 t0;   ///< joint torques at zero contact forces [N.m]
   Eigen::Matrix<double, 12, 6> W;  ///< leg accelerations (SDK motor order) per base acceleration
   Vector12 w;                      ///< leg accelerations at zero base acceleration [rad/s^2]
@@ -34,6 +34,7 @@ struct Condensed {
 /// @param external_wrench external wrench on the base about its origin, base axes [N], [N.m];
 ///   `wrench` in the equations above
 /// @param smallest_determinant [m^3] a leg with a smaller |det J| counts as singular
+/// @param out out: the condensed equations; only partly written if the result is false
 /// @return false if a leg is singular: its foot is near hip height, or its knee is nearly straight
 /// Real-time: yes.
 bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,

@@ -42,8 +42,8 @@ void CondensedQp::write_cost(const QpTerms& terms) noexcept {
 }
 
 void CondensedQp::add_body(const BodyRows& rows) noexcept {
-  // f = units_.force * x, so the rows are scaled by this unit. rows.scale brings them to length one
-  // in the standing pose.
+  // f = units_.force * x, so the rows are multiplied by units_.force. rows.scale brings the rows to
+  // length one in the standing pose.
   Matrix3x12 A = rows.A_force;
   A.noalias() += rows.A_base * condensed_.B;
   A *= rows.scale * units_.force;

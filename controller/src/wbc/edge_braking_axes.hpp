@@ -18,14 +18,16 @@ namespace surefoot {
 /// motion along the edge can be braked later.
 ///
 /// Each edge k has a proximity p_k = max(1 - margin_k / 3 cm, 0): 0 inside, 1 at the edge, above 1
-/// outside. The edge with the largest proximity defines the axes. Every other edge k raises the
-/// weight along that edge again, by the share |n_k . along| p_k / p_max. So near a corner the QP
-/// brakes across both edges.
+/// outside. The edge with the largest proximity p_max defines the axes: `across` is its outward
+/// normal, `along` its direction. The closer p_max is to 1, the smaller is the weight along this
+/// edge. Every other edge k, with normal n_k, raises this weight again, by the share
+/// |n_k . along| p_k / p_max. So near a corner the QP brakes across both edges.
 struct EdgeBrakingAxes {
   Matrix3 R = Matrix3::Identity();  ///< rows: edge normal (outward), along the edge, up; world axes
-  double along = 1.0;               ///< weight factor of the row along the edge, 0.01 .. 1
+  double along = 1.0;               ///< factor on the weight of the row along the edge, 0.01 .. 1
 
-  /// Rotate the rows of the position task into these axes, and scale their weights.
+  /// Rotate the rows of the position task into these axes, and multiply the weight of the row along
+  /// the edge by the factor.
   /// Real-time: yes.
   void apply_to(BodyRows& position) const noexcept;
 };

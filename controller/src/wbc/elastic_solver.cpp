@@ -23,9 +23,9 @@ int elastic_count(const ElasticRows& rows) {
 
 }  // namespace
 
-// Numbers of inner iterations of ProxQP after which no further attempt begins. Chosen. The elastic
-// QP has about twice the variables of the hard QP, so its budget is larger. If still larger: a tick
-// could exceed its period.
+// Budgets {hard QP, elastic QP}: numbers of inner iterations of ProxQP after which no further
+// attempt begins. Chosen. The elastic QP has about twice the variables of the hard QP, so its
+// budget is larger. If the budgets were still larger: a tick could exceed its period.
 const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
 const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt for each QP
 
@@ -144,6 +144,7 @@ QpResult ElasticSolver::solve_elastic(int budget) noexcept {
   if (result.status == Status::kNonFinite) return result;
   x_ = elastic_solver_.x().head(n_);
   slack_ = elastic_solver_.x().tail(rows_.groups);
+  // A failed solve counts as a solve with slack, so the elastic mode continues.
   const bool has_slack = slack_.maxCoeff() > kMinSlack || result.status != Status::kOk;
   ticks_without_slack_ = has_slack ? 0 : ticks_without_slack_ + 1;
   elastic_mode_ = ticks_without_slack_ < kTicksWithoutSlack;

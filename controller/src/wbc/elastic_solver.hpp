@@ -23,8 +23,9 @@ struct ElasticRows {
 /// the QP without slacks. If the sum of the |multipliers| of each group k is at most penalty_k, the
 /// solution of the hard QP also solves the elastic QP, with s = 0. So the solver first solves the
 /// hard QP, which is smaller. It solves the elastic QP only if the hard QP is infeasible or one of
-/// these sums exceeds its penalty. While a slack is nonzero, and for ten solves afterwards, it
-/// solves the elastic QP alone. Real-time: solve() yes.
+/// these sums exceeds its penalty. While a slack is nonzero or the elastic QP fails, and until ten
+/// solves without slack have followed, the solver solves the elastic QP alone. Real-time: solve()
+/// yes.
 class ElasticSolver {
  public:
   ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance);
@@ -50,8 +51,8 @@ class ElasticSolver {
   /// Solution of the last solve, without the slacks.
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
-  /// Return whether the next solve starts with the elastic QP: a slack was nonzero in the last ten
-  /// solves.
+  /// Return whether the next solve starts with the elastic QP: in one of the last ten solves a
+  /// slack was nonzero, or the elastic QP was not solved accurately.
   bool elastic_mode() const noexcept { return elastic_mode_; }
   /// Return the QP that was solved last: `problem`, or the elastic QP with its slacks.
   const QpProblem& solved_problem(const QpProblem& problem) const noexcept {

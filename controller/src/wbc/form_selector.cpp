@@ -12,8 +12,8 @@ namespace {
 // by smallest_determinant. All constants are chosen by hand. Tests: test_form_selector.cpp,
 // test_singular_legs.cpp.
 //
-// [m] Depth below which a regular leg becomes singular. Less than the 0.07 m that BodyReference
-// keeps (gain reach_foot_depth).
+// [m] Depth below which a regular leg becomes singular. Less than 0.07 m, the smallest depth of a
+// pose that BodyReference may request (gain reach_foot_depth).
 constexpr double kSmallestDepth = 0.05;
 constexpr double kRegularDepth = 0.06;  // [m] depth above which a singular leg becomes regular
 // Determinant above which a singular leg becomes regular.

@@ -9,10 +9,11 @@ namespace surefoot {
 /// Detects legs near a singularity, with hysteresis, and selects the form of the QP.
 ///
 /// The determinant of a leg's Jacobian is proportional to sin q3 (cos q2 + cos(q2 + q3)). It is
-/// zero for a straight knee, and for a foot at the height of its hip axis. Near a singularity the
-/// general form replaces the condensed form; at the switch both forms give the same torques. Closer
-/// to the singularity the foot acceleration gradually changes from an equality to a task in the
-/// cost. The softness, 0 .. 1, measures this change. Real-time: yes.
+/// zero for a straight knee, and for a foot at the height of its hip axis. (q2: thigh joint, q3:
+/// calf joint.) Near a singularity the general form replaces the condensed form; at the switch both
+/// forms give the same torques. Closer to the singularity the foot acceleration gradually changes
+/// from an equality to a task in the cost. The softness of the foot, 0 .. 1, measures this change.
+/// Real-time: yes.
 class FormSelector {
  public:
   /// @param smallest_determinant [m^3] a leg with a smaller |det J| is singular and is not inverted

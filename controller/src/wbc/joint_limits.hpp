@@ -17,7 +17,8 @@ struct JointLimits {
   Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
   /// [rad/s^2] Limits that keep joint position and velocity in range.
   Eigen::VectorXd a_lower, a_upper;
-  /// [rad/s^2] Amount by which the QP widens a_lower and a_upper, see release_unloaded_legs().
+  /// [rad/s^2] Amount by which a_lower and a_upper are widened in the QP for a released leg; 0: not
+  /// released. See release_unloaded_legs().
   Eigen::VectorXd a_released;
 };
 

@@ -20,7 +20,7 @@ constexpr double kGapShare = 0.1;
 constexpr double kResidue = 1e-12;
 // Largest number of outer iterations in an attempt, and of inner iterations in an outer iteration.
 // Chosen: ProxQP has no time limit, so 12 x 8 = 96 inner iterations bound the time of an attempt.
-// If more are needed, QpSolver corrects the multipliers and starts another attempt.
+// If an attempt needs more, QpSolver corrects the multipliers and starts another attempt.
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -46,7 +46,7 @@ ProxqpRunner::ProxqpRunner(int n, int n_eq, int n_in)
   // rows. Such a result looks converged but is not optimal. The duality gap reveals it.
   qp.settings.check_duality_gap = true;
   qp.settings.eps_duality_gap_rel = 0.0;
-  // chosen: 1e-3 to 1e-1 solve these QPs; ProxQP's default is 1e-1.
+  // Chosen: ProxQP solves these QPs with any value from 1e-3 to 1e-1; its default is 1e-1.
   qp.settings.default_mu_in = 1e-2;
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
   // init() is called once, to set the sizes and the identity preconditioner.

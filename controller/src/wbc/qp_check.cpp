@@ -40,9 +40,9 @@ QpCheck::QpCheck(int n, int n_eq, int n_in)
       Cx_(Eigen::VectorXd::Zero(n_in)),
       gradient_(Eigen::VectorXd::Zero(n)) {}
 
-// A nonzero multiplier on a side without a bound is an error; the gap is then the size of the
-// multiplier. A multiplier above 1 counts as 1, because any positive multiplier only means that the
-// row must be on its bound.
+// A nonzero multiplier on a side without a bound is an error; the gap is then |z|, at most 1. A
+// multiplier larger than 1 counts as 1, because the size of a nonzero multiplier does not matter:
+// the row must be on its bound.
 double QpCheck::row_gap(double z, double Cx, double l, double u) noexcept {
   const double bound = z > 0.0 ? u : l;
   return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0);

@@ -13,7 +13,8 @@ class QpCheck {
 
   /// Compute the residuals of x, y, z.
   /// @return residuals and gap. The status is kOk if the residuals are at most 5 times the
-  ///   tolerance and the gap is at most the tolerance; otherwise it is kMaxIterations
+  ///   tolerance and the gap is at most the tolerance; otherwise it is kMaxIterations, which here
+  ///   only means: not accurate enough
   QpResult operator()(const QpProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                       const Eigen::VectorXd& z, double tolerance) noexcept;
 

@@ -21,7 +21,7 @@ struct QpLayout {
   static constexpr int kGroups = kLegs + 2 * kLegGroups;
 
   explicit QpLayout(int joint_count) : joints(joint_count) {}
-  // Index of the first row of each kind:
+  // Index of the first row of each kind, and the number of all rows:
   int hold_down() const noexcept { return kHard; }
   int torque() const noexcept { return kHard + kLegs; }
   int acceleration() const noexcept { return torque() + joints; }

@@ -12,11 +12,11 @@ namespace {
 
 // Chosen by hand. Tests: proxqp_alone_solves_97_percent_of_degenerate_qps,
 // both_methods_meet_a_tolerance_of_1e_minus_12.
-constexpr int kWarmAttempts = 3;  // a warm start, then two attempts without wrong multipliers
+constexpr int kWarmAttempts = 3;  // a warm start, then two attempts from the corrected last result
 constexpr int kAttempts = 6;      // the warm attempts, then a cold start and two more attempts
 constexpr double kTightTolerance =
     1e-8;  // smaller tolerances are for offline checks without a deadline
-// Number of attempts and budget are multiplied by this factor below kTightTolerance.
+// Factor on the number of attempts and on the budget for tolerances below kTightTolerance.
 constexpr int kTightFactor = 10;
 
 }  // namespace

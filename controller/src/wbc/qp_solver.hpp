@@ -14,7 +14,8 @@ struct QpResult {
   int iterations = 0;            ///< changes of the active set plus inner iterations of ProxQP
   double primal_residual = 0.0;  ///< largest violation of A x = b, l <= C x <= u
   double dual_residual = 0.0;    ///< largest |entry| of H x + g + A'y + C'z
-  double gap = 0.0;              ///< largest min(|z_i|, 1) times row i's distance from its bound
+  /// Largest min(|z_i|, 1) times the distance of row i of C x from u_i (z_i > 0) or l_i (z_i < 0).
+  double gap = 0.0;
 };
 
 /// Whether a QP is known to have a solution.
@@ -29,7 +30,8 @@ enum class Feasibility { kCertain, kDoubtful };
 /// of at most a few hundred. Real-time: solve() yes, allocates nothing.
 class QpSolver {
  public:
-  /// @param tolerance of the residuals; QpCheck accepts residuals up to 5 times as large
+  /// @param tolerance tolerance of the residuals and of the gap. QpCheck accepts residuals up to 5
+  ///   times as large
   QpSolver(int n, int n_eq, int n_in, double tolerance);
   /// @param max_changes largest number of changes of the active set before ProxQP takes over; with
   ///   0 ProxQP solves nearly all QPs
@@ -38,15 +40,15 @@ class QpSolver {
 
   /// Solve a QP, warm started from the last solution.
   ///
-  /// If ProxQP's result fails the check, the next attempt starts from this result without its wrong
-  /// multipliers. The fourth attempt is a cold start.
+  /// If ProxQP's result fails the check, the next attempt starts from this result, with the
+  /// multipliers of rows away from their bound set to zero. The fourth attempt is a cold start.
   /// @param budget number of inner iterations of ProxQP after which no further attempt begins
   /// @param feasibility kDoubtful: if ActiveSet finds contradicting constraints, the result is
-  ///   kInfeasible. kCertain: a solution exists, so ActiveSet's finding is a rounding error, and
+  ///   kInfeasible. kCertain: a solution exists, so the contradiction is a rounding error, and
   ///   ProxQP solves the QP
   QpResult solve(const QpProblem& problem, int budget = kBudget,
                  Feasibility feasibility = Feasibility::kCertain) noexcept;
-  /// Default budget, for callers without a deadline: about one full attempt of 96 inner iterations.
+  /// Default budget, for callers without a deadline. One full attempt takes 96 inner iterations.
   /// ElasticSolver passes budgets of its own.
   static constexpr int kBudget = 100;
 

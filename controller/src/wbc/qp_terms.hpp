@@ -16,7 +16,9 @@ namespace surefoot {
 struct CustomTask {
   std::shared_ptr<Task> task;
   TaskRows rows;
-  Eigen::VectorXd b;  ///< rows.b in the inertial frame of the QP's dynamics
+  /// rows.b minus the part of the rows on Dynamics::a_base_shift(), so that b fits the base
+  /// acceleration of the QP.
+  Eigen::VectorXd b;
 };
 
 /// The tasks and constraints of one tick, independent of the form. CondensedQp and GeneralQp build
@@ -31,29 +33,32 @@ struct QpTerms {
   FeetMatrix feet_acceleration = FeetMatrix::Zero();
   /// External wrench on the base about its origin, base axes [N], [N.m].
   Vector6 external_wrench = Vector6::Zero();
-  Condensed condensed;  ///< valid if has_condensed
-  /// false: a leg is singular, or the robot has joints outside the legs.
+  Condensed condensed;  ///< condensed equations of motion; valid if has_condensed
+  /// Whether `condensed` is valid. It is not if a leg is singular, or if the robot has joints
+  /// outside the legs.
   bool has_condensed = false;
-  /// Per foot, 0 .. 1. 0: the foot acceleration is an equality. Above 0: it is a task in the cost.
+  /// Softness of each foot, 0 .. 1 (FormSelector). 0: the foot acceleration is an equality. Above
+  /// 0: the foot acceleration is a task in the cost.
   Eigen::Vector4d foot_softness = Eigen::Vector4d::Zero();
-  /// Weight of the task of a foot acceleration.
+  /// Weight of the foot acceleration task, for each foot whose softness is above 0.
   Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();
   std::array<BodyRows, 3> body;        ///< position, orientation, angular momentum
   int body_tasks = 0;                  ///< number of entries of `body` in use
   Vector12 forces = Vector12::Zero();  ///< desired contact forces [N], FR FL RR RL, world axes
   double weight_force = 0.0;           ///< weight of the deviation from these forces
   JointLimits limits;
-  Eigen::VectorXd posture;  ///< desired joint accelerations [rad/s^2]
-  /// Weight of each joint; 0: the posture does not act on the joint.
+  /// [rad/s^2] Desired joint accelerations of the posture task.
+  Eigen::VectorXd posture;
+  /// Weight of the posture task for each joint; 0: the task does not act on the joint.
   Eigen::VectorXd posture_weight;
   bool has_posture = false;
   std::vector<CustomTask> custom;
 
   Vector3 ground_normal = Vector3::UnitZ();
   Eigen::Vector4d friction = Eigen::Vector4d::Zero();  ///< friction coefficient of each foot
-  /// [N] Largest normal force; 0: no contact force at all.
+  /// [N] Largest normal force of each foot; 0: no contact force at all.
   Eigen::Vector4d normal_max = Eigen::Vector4d::Zero();
-  /// [N] Smallest normal force; 0: no hold-down.
+  /// [N] Smallest normal force of each foot; 0: no hold-down.
   Eigen::Vector4d hold_down = Eigen::Vector4d::Zero();
 };
 

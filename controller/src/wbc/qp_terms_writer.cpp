@@ -24,9 +24,9 @@ namespace surefoot {
 
 namespace {
 
-// Weight factor of a foot that has just become soft. The factor falls geometrically to 1 at full
-// softness. Chosen. If smaller: the torques jump when the equality becomes a task. If larger: the
-// condition number of H grows. Test: torques_stay_bounded_and_continuous_through_a_singularity.
+// Weight factor of a foot task whose softness is just above 0. The factor falls geometrically to 1
+// at softness 1. Chosen. If smaller: the torques jump when the equality becomes a task. If larger:
+// the condition number of H grows. Test: torques_stay_bounded_and_continuous_through_a_singularity.
 constexpr double kMaxSoftFactor = 10.0;
 
 // Return the external force and moment as a wrench about the base's origin, base axes [N], [N.m].
@@ -115,8 +115,8 @@ void QpTermsWriter::write_body(const Gains& gains, const Dynamics& dynamics,
 }
 
 // Compute the even forces that meet the rows of the position and the orientation task. If the
-// condensed equations are not valid, compute the even forces that would move the robot with locked
-// joints as desired.
+// condensed equations are not valid, compute the even forces that would give the robot, with all
+// joints locked, the desired body acceleration.
 void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAcceleration& desired,
                                       const RobotState& state,
                                       const Eigen::Vector4d& share) noexcept {
@@ -157,7 +157,8 @@ void QpTermsWriter::write_posture(const Gains& gains, const RobotState& state,
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const int group = joints_[k].group;
     const double softness = group == kLegs ? 1.0 : terms_.foot_softness[group];
-    // Cubed, so that the posture does not outweigh a foot task that has just become soft.
+    // Cubed, so that the posture weight stays small while the softness of a foot is near 0. A
+    // larger posture weight would outweigh the foot task.
     terms_.posture_weight[k] =
         std::max(gains.weight_posture, softness * softness * softness * gains.weight_posture_free);
     terms_.has_posture = terms_.has_posture || softness > 0.0;
@@ -171,8 +172,9 @@ Status QpTermsWriter::write_custom(const Dynamics& dynamics, const RobotState& s
   for (auto& [task, rows, b] : terms_.custom) {
     if (!task->write(state, rows) || !is_valid(rows, b.size(), robot_.nv()))
       return Status::kBadTask;
-    // The base acceleration in the QP belongs to the frame of Dynamics::update(). The base
-    // acceleration in the task belongs to the frame after Dynamics::shift().
+    // The QP uses the spatial acceleration of the base for the velocity that was passed to
+    // Dynamics::update(). A user task uses it for the velocity after Dynamics::shift(). The two
+    // differ by a_base_shift(), so rows.b is corrected by this difference.
     b = rows.b;
     b.noalias() -= rows.A_a.leftCols<3>() * dynamics.a_base_shift();
   }

@@ -16,7 +16,8 @@ namespace {
 
 // Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. With a
 // smaller determinant the knee is nearly straight or the foot is near hip height, and the joint
-// accelerations become large. Chosen: at this share they are ten times those of the standing pose.
+// accelerations become large. Chosen: at this share they are about ten times those of the standing
+// pose.
 // If larger: poses that BodyReference allows would be excluded.
 constexpr double kSmallestShare = 0.1;
 

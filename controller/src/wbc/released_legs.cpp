@@ -27,8 +27,10 @@ bool is_released(const JointLimits& limits, int leg) noexcept {
   return limits.a_released.segment<3>(3 * leg).maxCoeff() > 0.0;
 }
 
-// Return the joint limits of a leg, widened so that clamping changes no acceleration by more than
-// a_released. A violation that is left was accepted by the QP through a slack, and must stay.
+// Return the bounds to which the joint accelerations of a leg are clamped: the joint limits. If the
+// QP has used a slack to violate even the limits widened by a_released, the excess over the widened
+// limit is kept: that bound moves outward by the excess. So clamping changes no acceleration by
+// more than a_released.
 Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& desired) noexcept {
   Bounds bounds;
   for (int j = 0; j < 3; ++j) {
@@ -56,7 +58,8 @@ Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& b
   return a;
 }
 
-// Return the change [rad/s^2] that brings the joint accelerations of a leg within its bounds.
+// Return the change [rad/s^2] that brings the joint accelerations `desired` of a leg within
+// released_bounds(). J: Jacobian of the leg.
 Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
                         const Vector3& desired) noexcept {
   const Bounds bounds = released_bounds(limits, leg, desired);

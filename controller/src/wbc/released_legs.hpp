@@ -11,7 +11,6 @@ namespace surefoot {
 // of the body, even if its foot carries no load. With the capture point at the support edge, a
 // stretched front leg without load would turn the robot over the rear foot that still carries load.
 // The three functions below prevent this. In each tick they run in this order:
-// The three functions below prevent this, in the order of their use in a tick:
 //   1. release_unloaded_legs() widens the joint acceleration limits of the leg in the QP;
 //   2. limit_foot_accelerations() reduces the desired foot acceleration to what the leg can do;
 //   3. clamp_released_legs() applies the leg's own limits to the solution of the QP.
@@ -33,7 +32,7 @@ void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::V
 /// robot tips over. Assumption: the base does not accelerate, because its acceleration is unknown
 /// before the QP is solved.
 /// Real-time: yes.
-/// @param smallest_determinant [m^3] legs with a smaller |det J| are not changed
+/// @param smallest_determinant [m^3] released legs with a smaller |det J| are not changed
 /// @param feet_acceleration in and out, world axes [m/s^2]
 void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limits,
                               double smallest_determinant, FeetMatrix& feet_acceleration) noexcept;
@@ -43,9 +42,9 @@ void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limit
 ///
 /// If one joint reaches its limit, the accelerations of the leg's other joints change too, so that
 /// the foot acceleration stays as close as possible to the solution (least squares). If each joint
-/// were clamped separately, the thigh of a leg with a stretched knee would swing the leg forward
-/// into the stance leg. Torques change by tau += M_leg (a_clamped - a). The reaction on the body is
-/// small and is neglected. Real-time: yes.
+/// were clamped separately, the thigh of a leg with a stretched knee would swing the leg forward,
+/// where it can hit a stance leg. Torques change by tau += M_leg (a_clamped - a). The reaction on
+/// the body is small and is neglected. Real-time: yes.
 /// @param accelerations in and out, shape (nv,), Pinocchio's order
 /// @param torques in and out [N.m], SDK motors first
 void clamp_released_legs(const JointTable& joints, const Dynamics& dynamics,

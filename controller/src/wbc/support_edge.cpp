@@ -8,16 +8,16 @@
 namespace surefoot {
 
 namespace {
-// [g] The bound on the downward acceleration is larger by this at fade = 1 than at the edge. Chosen
-// by `surefoot assess`: with 0.35, a go1 survived 100 % of its push limit in the worst of 16
-// directions. With 3, and with a slower push estimate, it survived 97.5 %.
+// [g] At fade = 1 the bound on the downward acceleration is larger by this than at the edge
+// (fade = 0). Chosen by `surefoot assess`: with 0.35, a go1 survived 100 % of its push limit in the
+// worst of 16 directions. With 3, and with a slower push estimate, it survived 97.5 %.
 constexpr double kInsideFallShare = 0.35;
-// Factor by which the bound on the tilt acceleration exceeds its value at the edge when fade = 1.
-// Chosen so that inside the support there is no bound in practice: it is 1000 rad/s^2 for a go1,
-// whose base_kp_tilt requests 820 rad/s^2 per rad.
+// At fade = 1 the bound on the tilt acceleration is (1 + this) times the bound at the edge
+// (fade = 0). Chosen so that the bound has no effect in practice while fade = 1: it is then
+// 1000 rad/s^2 for a go1, whose base_kp_tilt requests 820 rad/s^2 per rad.
 constexpr double kInsideTurnFactor = 30.0;
-// Factor in `slow`. Derived: 1 / (1 - 3/8), so that the tilt bound shrinks only when the body rises
-// faster than 3/8 of edge_rise. The 3/8 is chosen; the gain edge_rise comes from
+// Factor in `slow`. Derived: 1 / (1 - 3/8), so that the tilt bound shrinks only while the body
+// rises faster than 3/8 of the gain edge_rise. The share 3/8 is chosen; edge_rise comes from
 // benchmarks/weight_search.py.
 constexpr double kRiseFade = 1.6;
 }  // namespace

@@ -30,11 +30,12 @@ double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& 
 ///
 /// Height: hard braking throws the body up. If the body then falls freely, the feet carry no load
 /// and cannot brake. So the bound keeps a total load of at least edge_load on the feet. Away from
-/// the edge the bound is only a little lower, because a body that starts to fall there is still
-/// falling when it reaches the edge.
-/// Tilt: braking also tilts the body. Turning the body back at once would use the force that brakes
-/// the push. So the body turns back slowly until the capture point is inside again. Feet that turn
-/// the body back also push it further up, so a body that rises fast turns back less or not at all.
+/// the edge the bound is only a little lower: a body that starts to fall while its capture point is
+/// inside is still falling when the capture point reaches the edge.
+/// Tilt: braking also tilts the body. To turn the body back at once, the feet would need the force
+/// that brakes the push. So the body turns back slowly until the capture point is inside again. The
+/// forces that turn the body back also push the body up, so a body that already rises fast turns
+/// back less, or not at all.
 /// Real-time: yes.
 /// @param fade result of edge_fade(), 0 .. 1
 /// @param length [m] QpUnits::length, the height of the hips above the ground in the standing pose

@@ -107,10 +107,10 @@ const Solution& WholeBodyController::update(const RobotState& state,
 Reference WholeBodyController::hold(const RobotState& state) {
   Impl& s = *impl_;
   if (check_state(state, s.robot) != Status::kOk) {
-    throw Error("hold: got q of " + std::to_string(state.q.size()) + " and v of " +
-                std::to_string(state.v.size()) + ", expected " + std::to_string(s.robot.nq()) +
-                " and " + std::to_string(s.robot.nv()) +
-                ", all finite, and a unit quaternion in q");
+    throw Error("hold: invalid state: got q of size " + std::to_string(state.q.size()) +
+                " and v of size " + std::to_string(state.v.size()) + ", expected sizes " +
+                std::to_string(s.robot.nq()) + " and " + std::to_string(s.robot.nv()) +
+                ", all values finite, contact and friction in 0 .. 1, and a unit quaternion in q");
   }
   Reference reference;
   s.dynamics.update(state.q, state.v, reference.ground_normal);

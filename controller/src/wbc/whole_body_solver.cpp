@@ -15,15 +15,16 @@ constexpr double kSaturated = 1e-3;
 // Curvature of the slacks' cost, before scaling. Chosen larger than 0, so that the QP is strictly
 // convex. The linear penalties (gains penalty_*) make the constraints exact.
 constexpr double kCurvature = 1.0;
-// Smallest value to which the tolerance is reduced. Numerical: rounding errors allow no smaller
+// Smallest value to which solve() reduces the tolerance for heavy user tasks. An option `tolerance`
+// below this value is used without reduction. Numerical: rounding errors allow no smaller
 // tolerance. Test: both_methods_meet_a_tolerance_of_1e_minus_12.
 constexpr double kMinTolerance = 1e-12;
-// A cold solve multiplies the tolerance by this factor. Chosen larger than 1, because the first
-// solve has failed at the tolerance itself. An error of 1e-5 (QP units) is far below 1 N. Test:
-// cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
+// A cold solve multiplies the tolerance by this factor. Chosen larger than 1, because the solve
+// before it has failed with the tolerance itself. An error of 1e-5 (QP units) is far below 1 N.
+// Test: cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
 constexpr double kColdToleranceFactor = 10.0;
-// Smallest share of trace(H) that the built-in tasks must have beside user tasks. Derived: with the
-// default tolerance 1e-6, the reduced tolerance is then at least ten times kMinTolerance.
+// Smallest accepted share of the built-in tasks in trace(H); user tasks have the rest. Derived:
+// with the default tolerance 1e-6, the reduced tolerance is then at least ten times kMinTolerance.
 constexpr double kMinBuiltInShare = 1e-5;
 
 ElasticRows elastic_rows(const JointTable& joints) {

@@ -17,10 +17,12 @@ constexpr double kMaxLoadDifference = 0.15;
 // [s] footForceEst is excluded after it has contradicted the torques for this time. Equal to
 // kDetectionTime of ForceSourceCheck.
 constexpr double kDetectionTime = 0.3;
-// The contradiction time falls at this rate without contradiction, and rises at rate 1 with one.
+// Rate at which contradiction_time falls while there is no contradiction. During a contradiction it
+// rises at rate 1.
 constexpr double kRecoveryRate = 0.25;
 // [s] Forces count as unavailable after no force source has voted for this time. Longer than pauses
-// of kDetectionTime. If larger: a foot whose sensors are dead stays out of contact for longer.
+// in the votes of up to kDetectionTime. If larger: a foot whose sensors are dead stays out of
+// contact for longer.
 constexpr double kNoForceTime = 0.5;
 // [m/s] Speed above which the motion of a foot votes against contact. At least twice the gain
 // slip_speed (0.15), and smaller than the speed of a swing foot.
@@ -31,7 +33,8 @@ constexpr double kRestSpeed = 0.1;
 // twice this clearance. If smaller: a loaded foot that rises on soft ground votes against contact.
 // If larger: a lift is detected late.
 constexpr double kClearanceThreshold = 0.006;
-// Size of the vote of a fast foot against contact. Weak, because a loaded foot may slide.
+// Magnitude of the vote against contact of a fast foot. Chosen small, because a loaded foot may
+// slide.
 constexpr double kSlideVote = 0.33;
 // Weight of the motion of a foot. A rising foot is off the ground, whatever force its sensors show.
 // So the weight is larger than that of one other source (1), but not larger than that of two.
@@ -39,11 +42,13 @@ constexpr double kMotionWeight = 2.0;
 // Weight of torques that match the accelerometer. Above 1: if two sources contradict each other,
 // the mean vote is then 0.06 instead of 0, and the confidence changes slowly.
 constexpr double kBalancedWeight = 1.12;
-constexpr double kConfirmingVote = 0.5;  // size above which a vote confirms footForceEst
-// Size of the mean vote above which the confidence changes. Below 0.06, see kBalancedWeight.
+constexpr double kConfirmingVote = 0.5;  // magnitude above which a vote confirms footForceEst
+// Magnitude of the mean vote above which the confidence changes. Chosen below 0.06, the mean vote
+// of two contradicting sources (see kBalancedWeight).
 constexpr double kMinAgreement = 0.04;
-// Rate of the confidence per mean vote, in units of 1 / contact_dwell. Derived: the rate reaches 1
-// if two of three sources agree, because the mean vote is then 1/3.
+// Rate of change of the confidence, in units of 1 / contact_dwell, divided by the mean vote.
+// Derived: the rate is 1 if two of three sources vote 1 and the third votes -1: the mean vote is
+// then 1/3.
 constexpr double kAgreementGain = 3.0;
 
 constexpr int kFootForceEstIndex = static_cast<int>(ContactSource::kFootForceEst);

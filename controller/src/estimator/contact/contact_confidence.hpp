@@ -23,10 +23,11 @@ struct ContactSignals {
 /// Contact confidence of each foot, fused from all working contact sources.
 ///
 /// Each source votes from -1 (off the ground) to 1 (loaded). The confidence integrates the weighted
-/// mean vote. If all sources agree, it moves from 0 to 1 within the gain contact_dwell. So a single
-/// wrong sample changes the confidence by one step only, and two sources that contradict each other
-/// leave it unchanged. Torques get a slightly larger weight while the sum of their loads matches
-/// the accelerometer. This weight decides ties slowly. Real-time: yes.
+/// mean vote. If all sources agree, the confidence moves from 0 to 1 within the gain contact_dwell.
+/// So a single wrong sample changes the confidence by one step only, and two sources that
+/// contradict each other leave it unchanged. One exception: torques get a slightly larger weight
+/// while the sum of their loads matches the accelerometer, so a contradiction is then slowly
+/// decided in favour of the torques. Real-time: yes.
 class ContactConfidence {
  public:
   /// @param weight weight of the robot [N]

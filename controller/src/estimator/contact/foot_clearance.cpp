@@ -17,7 +17,7 @@ constexpr double kRestTimeDecay = 20.0;
 // wrong samples (contact_dwell, 10 ms), shorter than a step.
 constexpr double kMinSwingTime = 0.03;
 // [s] Three feet must be loaded for this time before they form a plane. If smaller: feet that
-// bounce at touchdown form a plane. If larger: the vote is delayed more.
+// bounce at touchdown form a plane. If larger: a lift right after a landing is detected later.
 constexpr double kLandingTime = 0.05;
 // [s] The stance height follows a foot that has been at rest for this time. If smaller: the height
 // follows a foot that a person holds. If larger: drift of the height remains for longer.

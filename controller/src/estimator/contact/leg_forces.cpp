@@ -10,8 +10,8 @@ namespace {
 // robot's weight.
 constexpr double kMaxForce = 1e4;
 // [rad] Distance to a stop below which a joint may rest on the stop. Chosen larger than the elastic
-// deflection of a stop. If larger: it includes standing poses near a limit, and their contact force
-// is then unknown.
+// deflection of a stop. If larger: joints of standing poses near a limit would count as resting on
+// the stop, and a part of their contact force would be ignored.
 constexpr double kStopMargin = 0.03;
 }  // namespace
 

@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-/// Observer of the sustained external wrench: of a payload, a mass error of the model or a steady
-/// lean.
+/// Observer of the sustained external wrench, which comes from a payload, a mass error of the
+/// model, or an object on which the robot leans.
 ///
 /// Contact forces f at p, gravity and the external wrench (F, N) change the linear and angular
 /// momentum:

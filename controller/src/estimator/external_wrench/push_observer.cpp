@@ -14,9 +14,9 @@ constexpr double kNoiseLevel = 3.0;
 // Excess over kNoiseLevel at which the time constant is halved, in units of push_dead_band.
 constexpr double kFastLevel = 1.0;
 // Shortest time constant, in units of push_time: 6 ms by default. If smaller: at 4 ms the torques
-// of a b1 exceeded the supervisor's limit of the torque rate (measured, git e0f1814). If larger: at
-// 1 the time constant is never shortened. At 500 Hz the estimate follows one wrong sample by a
-// quarter.
+// of a b1 exceeded the supervisor's limit of the torque rate (measured, git e0f1814). If 1: the
+// time constant is never shortened. With 6 ms at 500 Hz, one wrong sample moves the estimate by a
+// quarter of the error of the sample.
 constexpr double kMinTimeScale = 3.0 / 8.0;
 // [s] Longest total time of large innovations for which the time constant is shortened. Long enough
 // for the start and the end of a push. Measured: without this bound, a body with an unknown delay
@@ -38,10 +38,11 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
   filtered_.z() += dt / (dt + gains.push_time) * innovation.z();
 }
 
-// Compute the time constant as a share of push_time. If the actual delay exceeds the configured
-// delay, the body can sway, with persistent large innovations. A short time constant would sustain
-// this oscillation, so it is limited to a short time. While the robot is lifted, the time constant
-// is not shortened at all, because the feet cannot exert the planned forces.
+// Compute the time constant as a share of push_time. If the actual delay exceeds
+// StandOptions::delay, the body can sway, with persistent large innovations. A shortened time
+// constant would sustain this oscillation, so it is used for at most kMaxInnovationTime. While the
+// robot is lifted, the time constant is not shortened at all, because the feet cannot exert the
+// planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,
                                 double dt) noexcept {
   const double excess = innovation_norm - kNoiseLevel * gains.push_dead_band;

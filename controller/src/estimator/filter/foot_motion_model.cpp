@@ -18,9 +18,9 @@ constexpr double kNoisePeriod = 0.002;
 constexpr double kSwingSpeed = 3.0;
 constexpr double kSwingShare = 3.0;
 constexpr double kSwingTime = 0.1;
-// kUnloadedSpeed is reduced by a factor of e for each such load, as a share of the weight. Chosen
-// (git 1c1a73e): half of contact_force_off (0.06), at which contact ends; at rest a foot carries
-// 0.25.
+// Load, as a share of the weight, for which the assumed slip speed falls from kUnloadedSpeed by a
+// factor of e. Chosen (git 1c1a73e): half of contact_force_off (0.06), at which contact ends; at
+// rest a foot carries 0.25.
 constexpr double kUnloadedShare = 0.03;
 constexpr double kUnloadedSpeed = 0.5;  // [m/s] assumed slip speed of a foot without load
 }  // namespace

@@ -15,8 +15,8 @@ constexpr double kMinFootVariance = 1e-12;
 // The estimate is implausible if a variance is more negative than this, in its own unit. Numerical:
 // rounding errors make zero variances slightly negative.
 constexpr double kVarianceTolerance = 1e-6;
-// The estimate is implausible above these values. Chosen: no robot is as fast, and the biases are a
-// tenth and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
+// The estimate is implausible above these values. Chosen: no robot is as fast, and the limits of
+// the biases are a tenth and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
 constexpr double kMaxSpeed = 20.0;              // [m/s]
 constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
 constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]

@@ -47,8 +47,9 @@ constexpr double kUnmeasuredForceNoise = 3.0;
 double square(double x) noexcept { return x * x; }
 
 // Compute the variance of a sample that is used for the `age`-th time. All uses contain the same
-// noise: n uses together have the variance n^2 sigma^2, so the n-th use adds (2 n - 1) sigma^2. The
-// second term is the change of the signal since the sample; `change` is its rate of change.
+// noise: the sum of n uses has the variance n^2 sigma^2, so the n-th use adds (2 n - 1) sigma^2.
+// The second term accounts for the change of the signal since the sample was measured; `change` is
+// the assumed rate of change.
 double held_variance(double sigma, int age, double change, double dt) noexcept {
   return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
 }

@@ -14,11 +14,11 @@ namespace surefoot {
 /// the samples; its initial values are the gains. Repeated samples get a larger variance.
 ///
 /// The gyroscope is replaced if its verdict is bad, or if the IMU quaternion and the stance legs
-/// agree with each other but contradict it. (With fewer than three stance feet, this comparison
-/// uses the last rate instead of the rate from the legs.) The replacement is the rate of the
-/// quaternion if the quaternion has changed. Otherwise it is the rate from the legs, or zero with a
-/// large variance if there are fewer than three stance feet. An accelerometer with a bad verdict is
-/// replaced by gravity, as at rest. Real-time: yes.
+/// agree with each other but contradict the gyroscope. (With fewer than three stance feet, this
+/// comparison uses the last rate instead of the rate from the legs.) The replacement is the rate of
+/// the quaternion if the quaternion has changed and has not jumped. Otherwise the replacement is
+/// the rate from the legs, or zero with a large variance if there are fewer than three stance feet.
+/// An accelerometer with a bad verdict is replaced by gravity, as at rest. Real-time: yes.
 class ImuFilterInput {
  public:
   /// Compute the filter input of this tick.

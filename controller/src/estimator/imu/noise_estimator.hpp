@@ -41,9 +41,10 @@ class NoiseEstimator {
   }
 
  private:
-  // [s] Time constant of the average. Chosen. If smaller: the average misses an accuracy of 10 %,
-  // which needs some hundred samples. If larger: the estimate follows changes of the noise, for
-  // example vibration, too late. Test: sample_noise_is_estimated_within_10_percent_during_motion.
+  // [s] Time constant of the average. Chosen. If smaller: the average has too few samples for an
+  // accuracy of 10 %, which needs some hundred. If larger: the estimate follows changes of the
+  // noise, for example vibration, too late. Test:
+  // sample_noise_is_estimated_within_10_percent_during_motion.
   static constexpr double kTimeConstant = 0.5;
   static constexpr double kPriorSamples = 20.0;  // [samples] weight of the initial value; chosen
   // Largest variance of one sample, as a multiple of the estimate; larger values, from impacts,

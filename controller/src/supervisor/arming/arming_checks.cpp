@@ -17,7 +17,8 @@ namespace {
 // Share of missing samples from which the check `link` fails. Larger than the share of single lost
 // samples; 4 % is rejected.
 constexpr double kMaxLoss = 0.01;
-// [s] Time constant of the mean of this share. Equal to the default of arming_time.
+// [s] Time constant with which the counts of received and missing samples decay. Equal to the
+// default of arming_time.
 constexpr double kLossTime = 1.0;
 // Error of a quaternion's norm from which the check fails. Larger than the rounding of a float
 // (1e-7); 1 % is rejected.
@@ -82,8 +83,8 @@ void ArmingChecks::count_link(double step) noexcept {
   received_ *= decay;
   missing_ *= decay;
   if (!has_link_counts_) {
-    // period_ estimates the period of the link. A shorter step lowers it at once. For a slower link
-    // it grows by 0.1 % per sample (chosen: a factor of e in 1000 samples).
+    // period_ estimates the period of the samples. A shorter step lowers period_ at once. If the
+    // steps are longer, period_ grows by 0.1 % per sample (chosen: a factor of e in 1000 samples).
     if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
     received_ += 1.0;
     if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);

@@ -12,9 +12,11 @@ namespace surefoot {
 struct ArmingLimits {
   // [s] Time for which all checks must pass; same default as in SupervisorOptions.
   double time = 1.0;
-  double temperature = 60.0;  // [deg C] motors must be cooler; same default as in SupervisorOptions
-  // [rad] Distance that joints must keep from their limits. Negative: joints may be outside by
-  // this.
+  // [deg C] Motors must be cooler than this; same default as temperature_warning in
+  // SupervisorOptions.
+  double temperature = 60.0;
+  // [rad] Distance that joints must keep from their limits. Negative: joints may exceed their
+  // limits by this amount.
   double joint_margin = 0.0;
   // Largest holding torque of the rise plan, as a share of tau_max; must be below 1.
   double torque_share = 0.0;

@@ -19,7 +19,7 @@ class Alternation {
   double update(double value, double share, double min_change = 0.0) noexcept {
     const double change = started_ ? value - value_ : 0.0;
     const double product = -change * change_;
-    // Count only alternations that are about as large as the mean, not the noise between them.
+    // Count only alternations of more than half of the mean, not the noise between them.
     const bool is_large = product > std::max(0.5 * mean_, min_change * min_change);
     frequency_ += share * ((is_large ? 1.0 : 0.0) - frequency_);
     mean_ += share * (product - mean_);
@@ -29,9 +29,9 @@ class Alternation {
     return mean_;
   }
 
-  /// Return whether more than 30 % of the samples alternate. A single wrong sample also goes up and
-  /// back, so one wrong sample in ten must not be enough, but one in three must be. Chosen; test:
-  /// one_wrong_sample_in_ten_is_not_frequent.
+  /// Return whether more than 30 % of the samples alternate. A single wrong sample alternates too,
+  /// because the signal jumps and returns. One wrong sample in ten must not make the result true,
+  /// but one in three must. Chosen; test: one_wrong_sample_in_ten_is_not_frequent.
   bool is_frequent() const noexcept { return frequency_ > 0.3; }
 
   /// Start again, so that the next sample is not compared with the last sample.

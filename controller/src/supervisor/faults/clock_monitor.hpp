@@ -26,14 +26,14 @@ class ClockMonitor {
   /// Number of consecutive windows needed, because one window may contain an impact.
   static constexpr int kWindows = 2;
   /// [rad] A joint counts as moving if its displacement in a window (sum of dq times step) is at
-  /// least this. 18 standard deviations of the simulated encoder noise (0.05 rad/s, 30 samples of
-  /// 2 ms).
+  /// least this. That is 18 standard deviations of the displacement which simulated encoder noise
+  /// causes (0.05 rad/s, 30 samples of 2 ms).
   static constexpr double kMinDisplacement = 0.01;
   /// Ratio below which the clock is too fast: between a correct clock (1) and twice the rate (0.5).
   static constexpr double kFastRatio = 0.7;
   /// Ratio below which dq is wrong and not the clock.
   static constexpr double kUnrelatedRatio = 0.2;
-  /// Number of moving joints that a verdict needs: one more than a leg has.
+  /// Number of moving joints that a verdict needs: one more than the number of joints of a leg.
   static constexpr int kMinJoints = 4;
   /// Share of the moving joints whose ratio must show a fast clock.
   static constexpr double kMinFastShare = 0.75;

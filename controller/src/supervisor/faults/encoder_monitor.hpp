@@ -18,8 +18,8 @@ class EncoderMonitor {
   // moving_resting_or_slow_joints_are_not_dead_encoders.
   /// [rad/s] Velocity below which a joint may be at rest: twice the noise of encoders, 0.05 rad/s.
   static constexpr double kMinSpeed = 0.1;
-  /// [rad] Displacement, by the repeated velocity, from which the repetition is a fault: 50 ms at
-  /// 0.2 rad/s. So the 60 ms of fault_table() are valid from this velocity on.
+  /// [rad] Displacement, computed from the repeated velocity, from which the repetition is a fault.
+  /// At 0.2 rad/s this takes 50 ms. So the 60 ms of fault_table() are valid from 0.2 rad/s on.
   static constexpr double kMinDisplacement = 0.01;
   /// Number of samples in which another leg must have changed: 10 ms at 500 Hz. Larger than the
   /// number of repetitions by chance.

@@ -22,8 +22,8 @@ constexpr int kBadAngles = 3;
 // Shorter than the 0.15 s of fault_table().
 constexpr double kTorqueTime = 0.03;
 // Tolerance of a torque error: kTorqueTolerance tau_max + kTorqueToleranceShare |command|. Larger
-// than torque errors of 5 %, a delay of 20 ms, and a tauEst of 0 in one sample of ten. Smaller than
-// the error of a dead motor.
+// than the error that causes no fault: torque errors of 5 %, a delay of 20 ms, or a tauEst of 0 in
+// one sample of ten. Smaller than the error of a dead motor.
 constexpr double kTorqueTolerance = 0.12;
 constexpr double kTorqueToleranceShare = 0.4;
 // Limit of the error in one sample, as a multiple of the tolerance.
@@ -37,9 +37,10 @@ constexpr double kMinIdleShare = 0.8;
 // [s] Time for which a motor must deviate before it is weak. Longer than impacts. Shorter than the
 // 0.15 s of fault_table().
 constexpr double kWeakTime = 0.05;
-// Alternations of the measured torque count if they are above kMinAlternation tau_max and above
-// kAlternationRatio times the alternation of the commands. Larger than noise and one wrong sample.
-// Smaller than the alternation caused by two programs that command alternately.
+// The torque of a motor alternates if its Alternation is above (kMinAlternation tau_max)^2 plus
+// kAlternationRatio times the Alternation of its commands. Larger than the Alternation caused by
+// noise and by one wrong sample. Smaller than the Alternation caused by two programs that command
+// alternately.
 constexpr double kMinAlternation = 0.03;
 constexpr double kAlternationRatio = 4.0;
 // [s] Time constant of the alternations. Shorter than the 0.2 s of fault_table().

@@ -19,8 +19,8 @@ class MotorFaults {
  public:
   /// @param warning [deg C] temperature above which torques are reduced
   /// @param stop [deg C] temperature from which the robot sits down
-  /// @param joint_margin [rad] distance to keep from the joint limits; negative: joints may be
-  ///   outside by this
+  /// @param joint_margin [rad] distance to keep from the joint limits; negative: joints may exceed
+  ///   their limits by this amount
   MotorFaults(const Robot& robot, double warning, double stop, double joint_margin)
       : robot_(robot),
         safety_(robot),
@@ -42,9 +42,8 @@ class MotorFaults {
     for (int i = 0; i < kMotors; ++i)
       commanded_alternation_[i].interrupt(), measured_alternation_[i].interrupt();
   }
-  /// Return the share of each motor's torque limit that is allowed at its temperature,
-  /// kMinTorqueShare
-  /// .. 1, SDK motor order.
+  /// Return the share of each motor's torque limit that is allowed at its temperature, SDK motor
+  /// order, from kMinTorqueShare to 1.
   const Vector12& torque_share() const noexcept { return torque_share_; }
   /// Clear torques and counts, but not temperatures.
   void reset() noexcept;

@@ -23,10 +23,10 @@ constexpr double kMaxDeflection = 0.45;
 constexpr double kTorqueShare = 0.9;  // largest torque, as a share of tau_max; the rest is a margin
 // Largest torque for holding, as a share of tau_max. The rest is for lifting.
 constexpr double kHoldShare = 0.75;
-// [rad/s] The spring of a joint is weakened if the joint moves ahead of its reference by more than
-// kReleaseSpeed. The spring torque is zero from kReleaseSpeed + kReleaseSpeedRange on. Larger than
-// the velocity errors of normal tracking. Smaller than 9 rad/s, which legs reach when they come
-// free.
+// [rad/s] The spring of a joint is weakened if the joint moves faster than its reference, in the
+// direction of the spring torque, by more than kReleaseSpeed. The spring torque is zero from
+// kReleaseSpeed + kReleaseSpeedRange on. Larger than the velocity errors of normal tracking.
+// Smaller than 9 rad/s, which legs reach when they come free.
 constexpr double kReleaseSpeed = 2.0;
 constexpr double kReleaseSpeedRange = 2.0;
 // [rad/s] Turn rates of the body between which the damping is reduced. Larger than the turn rates
@@ -107,8 +107,8 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = gravity_torques(load);
   Vector12 deflection = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
-  // The legs of a lying body may be caught on something. This is also true in the rear press, where
-  // `load` is 0.
+  // The legs of a lying body may be caught on something, so the power of their release is limited.
+  // `load` is 0 while the body lies, also during the rear press.
   const Vector12 limited_deflection = limit_released_power(deflection);
   deflection =
       limited_deflection + smoothstep(load / kLoadedShare) * (deflection - limited_deflection);

@@ -7,7 +7,8 @@
 
 namespace surefoot {
 
-/// State of the supervisor that decides whether a request is accepted. Each tick publishes it.
+/// State of the supervisor from which judge_request() and judge_arming() decide whether a request
+/// is accepted. Each tick publishes this state.
 struct RequestContext {
   Mode mode = Mode::kPassive;
   bool state_valid = false;  ///< true if valid samples arrive
@@ -30,8 +31,8 @@ class Requests {
  public:
   // For any thread:
   RequestStatus request_mode(Mode mode) noexcept;
-  /// Request that the next tick damps and latches. It cannot be rejected.
   RequestStatus request_arming() noexcept;
+  /// Request that the next tick latches damping. This request cannot be rejected.
   void stop() noexcept { stop_.store(true); }
   RequestContext context() const noexcept { return unpack(context_.load()); }
 

@@ -60,9 +60,9 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
   return reference_;
 }
 
-// If the ratios are wrong but alike, the robot is not the robot of the model. If the ratio of one
-// leg differs, this leg is on the wrong side. In the logarithm, ratios below 1e-3, negative ones
-// included, count as 1e-3.
+// Judge the ratios measured / model. If the ratios are wrong but alike, the robot is not the robot
+// of the model. If the ratio of one leg differs, this leg is on the wrong side. The logarithm uses
+// 1e-3 for ratios below 1e-3, also for negative ratios.
 void LegWeightCheck::judge() noexcept {
   int worst = 0, heaviest = 0, count = 0;
   double worst_log_ratio = -1.0, mean_ratio = 0.0;

@@ -13,13 +13,13 @@ namespace surefoot {
 /// move.
 ///
 /// The motors get the gravity torques of the model's legs, and springs hold the joints in place.
-/// The spring torques are zero if the legs have the weight of the model, or rest on something.
-/// Lighter legs rise against their springs, and the springs then cancel a share of the gravity
-/// torque:
+/// The spring torques are zero if the legs have the weight of the model's legs, or rest on
+/// something. Lighter legs rise against their springs, and the springs then cancel a share of the
+/// gravity torque:
 ///   relief = 1 - measured / model
 /// All legs that hang free have the same relief; a leg that rests on the ground has none. The legs
-/// are too light if enough joints have the same relief, among them at least one hip. Real-time:
-/// yes.
+/// are too light if enough joints have the same relief, among them at least one hip and at least
+/// one other joint. Real-time: yes.
 class LightLegCheck {
  public:
   // The constants are chosen by hand. Test: legs_far_lighter_than_expected_are_detected. Healthy

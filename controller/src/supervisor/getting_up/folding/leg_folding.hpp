@@ -19,7 +19,7 @@ namespace surefoot {
 /// Catching: a leg that does not move for kCatchTime has caught on something. The leg then backs
 /// out, with the hip outward and the calf open, and further with each catch. On every second catch
 /// the leg rests and its neighbour on the same side backs out instead, because the neighbour may
-/// have folded onto the leg. After kMaxCatches the folding is stuck().
+/// have folded onto the leg. If a leg catches more than kMaxCatches times, the folding is stuck().
 ///
 /// Rolling: if the body rolls over its legs, all legs are released for 1 s and then fold again;
 /// drawn-in legs stretch first. If the body still rolls after two releases, it has rolled_over().
@@ -66,7 +66,7 @@ class LegFolding {
   // (benchmarks/get_up.py). Test: folding_stops_after_several_retries_of_a_caught_leg (15 to 45 s).
   // [s] Longest time of folding since the start or the last release.
   static constexpr double kTimeout = 40.0;
-  // Largest number of catches of one leg, which takes 8 (kCatchTime + kBackOutTime) = 20 s.
+  // Largest number of catches of one leg. Eight catches take 8 (kCatchTime + kBackOutTime) = 20 s.
   static constexpr int kMaxCatches = 8;
   static constexpr int kMinCatches = 2;  // number of catches that a healthy leg seldom reaches
   // Number of catches from one weighing of a side to the next.

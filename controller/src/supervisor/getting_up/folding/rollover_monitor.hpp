@@ -28,7 +28,7 @@ class RolloverMonitor {
     rolled_over_ = rolled_over_ || rolled_again || (rolls_ > 0 && tilt > kRolledOverTilt);
     if (releases_legs()) {
       release_time_left_ -= dt;
-      // The release has ended: take this pose as initial pose.
+      // At the end of the release, the present tilt becomes the initial tilt.
       if (!releases_legs()) initial_tilt_ = tilt;
       return;
     }
