@@ -4,12 +4,12 @@
     python benchmarks/external_lifts.py --robot go1 --count 500 --jobs 2 --json FILE
 
 The robot has real sensors and a Supervisor at power level 10. Each seed draws the friction of the
-floor and the working force sensors. In a run of kind "lift", the seed also draws the height (5 to
-30 cm), the speeds and the duration; then the trunk is put down and released. In a run of kind
-"drop", the height is 10 cm and the trunk is released within 20 ms. The supervisor continues despite
-the fault `lifted` (see fault_table()). A run passes if only feet touch the ground, the supervisor
-neither damps nor sits, and the power protection does not trip. Three seconds after the release the
-robot must stand still at its previous height.
+floor, the foot force fields that have data, and the duration of the lift. In a run of kind "lift",
+the seed also draws the height (5 to 30 cm) and the speeds; the trunk is put down and then released.
+In a run of kind "drop", the trunk is released at a height of 10 cm, within 20 ms. The supervisor
+continues despite the fault `lifted` (see fault_table()). A run passes if only feet touch the
+ground, the supervisor neither damps nor sits, and the power protection does not trip. Three seconds
+after the release the robot must stand still at its previous height.
 """
 
 from __future__ import annotations

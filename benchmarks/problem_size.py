@@ -32,7 +32,7 @@ G1_STANDING_ANGLES = {"hip_pitch": -0.3, "knee": 0.6, "ankle_pitch": -0.3, "elbo
 
 @dataclass(frozen=True)
 class Case:
-    """One row of the table."""
+    """One row of the table: robot, standing configuration q, number of stance feet, QP form."""
 
     name: str
     robot: surefoot.Robot

@@ -3,15 +3,17 @@
 
     python benchmarks/push_bound.py --robot go2 --heading 22.5 157.5 --tilt 5
 
-A push lasts 0.1 s and acts through the centre of mass, as in surefoot assess. The motors keep the
-standing torques for one knot of 10 ms: the delay of sensors, link (two periods) and motors. Then
-the torques bring the body to rest within 0.8 s. All feet stay in place, torques stay within their
-limits, forces within the friction cone, and the trunk within --tilt of level.
+A push lasts 0.1 s and acts through the centre of mass, as in surefoot assess. The motion is
+discretised at knots, which are 10 ms apart. The motors keep the standing torques until the second
+knot: 10 ms is the delay of sensors, link (two periods) and motors. Then the torques bring the body
+to rest within 0.8 s. All feet stay in place, torques stay within their limits, forces within the
+friction cone, and the trunk within --tilt of level.
 
 Unlike a real controller, the optimal control knows when the push ends, and has no motor lag and no
 joint limits. A real robot may survive more, because its feet may slide or step, it may tilt more,
-and joint friction adds to the motor torques. IPOPT finds a local optimum. If IPOPT fails, the
-figure is nan and the status tells why. A push takes about a minute. The benchmark needs CasADi.
+and joint friction adds to the motor torques. IPOPT, the solver, finds a local optimum. If IPOPT
+fails, the figure is nan, and the status of IPOPT states the reason. The optimisation of one push
+takes about a minute. The benchmark needs CasADi.
 """
 
 from __future__ import annotations
@@ -81,7 +83,11 @@ def integrator(robot: Robot) -> ca.Function:
 
 
 def contact_jacobian(robot: Robot) -> ca.Function:
-    """Return a function J(q), (12, nv), for contact points of rolling feet: J_c + r [z]x J_w."""
+    """Return a function J(q), (12, nv), for contact points of rolling feet: J_c + r [z]x J_w.
+
+    J_c is the Jacobian of the foot centres, J_w that of the angular velocities of the feet, and r
+    is the foot radius.
+    """
     q = ca.SX.sym("q", robot.nq)
     R = rotation(q[3:7])
     radius_cross = robot.config.foot_radius * ca.DM([[0, -1, 0], [1, 0, 0], [0, 0, 0]])

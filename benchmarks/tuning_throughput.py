@@ -30,7 +30,7 @@ from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
 PORT = 8796  # TCP port of the Dask scheduler
-SEEDS = 2  # number of episodes per trial
+EPISODE_COUNT = 2  # number of episodes per trial
 
 
 def main() -> None:
@@ -53,7 +53,7 @@ def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
     """Return the figures, as medians over rounds."""
     job = TrialJob(
         gain_values(load_robot(robot).config.gains),
-        tuple(Episode(robot, seed, PlantSettings()) for seed in range(SEEDS)),
+        tuple(Episode(robot, seed, PlantSettings()) for seed in range(EPISODE_COUNT)),
         ("balance",),
     )
     evaluate_exclusively(job)  # fill the cache of plants before timing

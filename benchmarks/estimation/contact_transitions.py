@@ -28,7 +28,8 @@ class Transition:
     """True transition of a foot.
 
     Attributes:
-        row: First row after the load crossed the threshold.
+        row: First row with a load above UNLOADED_BELOW if the foot becomes loaded, or below
+            LOADED_ABOVE if the foot becomes unloaded.
         becomes_loaded: True if the foot becomes loaded, false if it becomes unloaded.
         fast: True if the load changes fast enough for the delay to count.
     """

@@ -17,7 +17,7 @@ struct Problem {
   const double *C = nullptr, *l = nullptr, *u = nullptr;
 };
 
-/// Status that a solver reports.
+/// Status that a solver reports; kUnknown: it reports none.
 enum class SolveStatus { kUnknown = 0, kSolved = 1, kFailed = 2 };
 
 /// Solution with H x + g + A'y + C'z = 0. A multiplier z is > 0 where the upper bound u is active,
@@ -26,16 +26,17 @@ struct Solution {
   std::vector<double> x, y, z;
 };
 
-/// Sizes and settings for a solver.
+/// Sizes and settings for a solver: n variables, n_eq equalities and n_in inequalities.
 struct Setup {
   int n = 0, n_eq = 0, n_in = 0;
   double tolerance = 1e-6;
-  bool warm = true;  ///< start each solve from the state of the last tick
+  bool warm = true;  ///< true: the solver may start from its result of the last tick
   /// Whether each entry is nonzero in any QP of the sequence, row-major. A user of a sparse solver
   /// would know these patterns beforehand. Empty: all entries are nonzero.
   std::vector<char> H_pattern, A_pattern, C_pattern;
 };
 
+/// Texts about a solver for the report; warm_start states what the solver keeps between ticks.
 struct Description {
   std::string name, interface, version, settings, warm_start;
 };

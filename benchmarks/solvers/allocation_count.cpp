@@ -8,7 +8,8 @@ bool counting = false;  // not atomic: there is one thread
 long count = 0;
 }  // namespace
 
-// glibc's names of the original functions. They replace dlsym(), which would allocate.
+// glibc's own names of the original functions. This file calls the functions by these names,
+// because a look-up with dlsym(RTLD_NEXT, ...) would itself allocate.
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs one solver over one sequence of QPs. Usage: PROGRAM describe, or
-//   PROGRAM SEQUENCE warm|cold RECORDS ANSWERS|- [TOLERANCE [ANSWERS_TO_WRITE]]
-// Only solve() is timed. The QP is loaded just before solve(), as if a controller had written it.
+//   PROGRAM SEQUENCE warm|cold RECORDS REFERENCE|- [TOLERANCE [ANSWERS]]
+// Input files: SEQUENCE, and REFERENCE with the reference answers (-: there are none).
+// Output files: RECORDS, and ANSWERS with the answers of this run.
+// Exit status: 0 after the last QP, 2 for an error, 3 if the solver has no warm start.
+// Only solve() is timed. The QP is copied just before solve(), so that it is in the processor's
+// cache, as after a controller has computed it.
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -23,6 +27,7 @@ double nanoseconds(clockid_t clock) {
   return 1e9 * double(t.tv_sec) + double(t.tv_nsec);
 }
 
+// Return NaN for all values that the file does not have.
 std::vector<double> read_reference(const std::string& path, std::size_t count) {
   std::vector<double> answers(count, std::nan(""));
   std::ifstream file(path, std::ios::binary);
@@ -107,7 +112,9 @@ int main(int count, char** words) {
   try {
     if (count == 2 && std::string(words[1]) == "describe") return describe();
     if (count >= 5) return run(count, words);
-    std::fprintf(stderr, "expected: SEQUENCE warm|cold RECORDS ANSWERS|- [TOLERANCE [WRITE]]\n");
+    std::fprintf(stderr,
+                 "expected: describe, or "
+                 "SEQUENCE warm|cold RECORDS REFERENCE|- [TOLERANCE [ANSWERS]]\n");
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s\n", problem.what());
   }

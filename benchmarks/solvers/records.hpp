@@ -7,6 +7,8 @@
 namespace bench {
 
 /// Record of one solve; all fields are doubles, so that NumPy reads the file as a (T, 9) array.
+/// `distance` is the largest absolute difference between an entry of x and the same entry of the
+/// reference answer; NaN without a reference answer.
 struct Record {
   double wall_ns, cpu_ns, status, iterations, allocations, primal, dual, gap, distance;
 };

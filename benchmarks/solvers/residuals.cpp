@@ -25,7 +25,7 @@ bool finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-// A missing bound has the distance 1, so its multiplier alone counts, up to 1.
+// The distance of a missing bound is 1, so its gap is the multiplier, limited to 1.
 double row_gap(double z, double Cx, double l, double u) {
   const double bound = z > 0.0 ? u : l;
   const double distance = std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0;

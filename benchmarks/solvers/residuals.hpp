@@ -10,7 +10,9 @@ namespace bench {
 struct Residuals {
   double primal = 0.0;  ///< largest violation of A x = b, l <= C x <= u
   double dual = 0.0;    ///< largest entry of H x + g + A'y + C'z
-  double gap = 0.0;     ///< largest min(|z_i|, 1) times the distance of row i from its active bound
+  /// Complementarity: largest min(|z_i|, 1) times the distance of row i of C x from u_i if z_i > 0,
+  /// from l_i otherwise.
+  double gap = 0.0;
 };
 
 /// Compute the residuals; all infinite if the solution is not finite.

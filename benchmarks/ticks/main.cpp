@@ -2,9 +2,10 @@
 // Times the controller on recorded LowStates. `surefoot bench` runs it and reads its output.
 //   surefoot_tick_bench NAME.robot LOW_STATES OUT [--form F] [--passes N] [--period-us P]
 //                       [--references FILE]
-// LOW_STATES holds packed LowStates. --references holds one BodyReference per LowState; the controller
-// receives it before that LowState. OUT starts with one line of JSON that describes every series.
-// The bench::CallTiming records of all series follow in the same order.
+// The file LOW_STATES has packed LowStates. The file of --references has one BodyReference for each
+// LowState; the controller receives the BodyReference before the LowState. The output file OUT
+// begins with one line of JSON that describes every series. The bench::CallTiming records of all
+// series follow in the same order.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ QpForm to_form(const std::string& name) {
 
 bench::ReplayPlan read_plan(int argc, char** argv) {
   bench::ReplayPlan plan(Robot::load(argv[1]));
-  plan.reports = read_records<LowState>(argv[2]);
+  plan.low_states = read_records<LowState>(argv[2]);
   plan.gains = plan.robot.config().gains;
   for (int k = 4; k + 1 < argc; k += 2) {
     if (!std::strcmp(argv[k], "--form")) plan.form = to_form(argv[k + 1]);
@@ -48,9 +49,9 @@ bench::ReplayPlan read_plan(int argc, char** argv) {
     if (!std::strcmp(argv[k], "--period-us")) plan.period = std::max(1L, std::atol(argv[k + 1]));
     if (!std::strcmp(argv[k], "--references")) {
       plan.references = read_records<BodyReference>(argv[k + 1]);
-      if (plan.references.size() != plan.reports.size()) {
+      if (plan.references.size() != plan.low_states.size()) {
         throw Error("--references: got " + std::to_string(plan.references.size()) +
-                    ", expected one per LowState: " + std::to_string(plan.reports.size()));
+                    ", expected one per LowState: " + std::to_string(plan.low_states.size()));
       }
     }
   }

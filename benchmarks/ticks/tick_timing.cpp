@@ -12,8 +12,8 @@ namespace {
 
 using namespace surefoot;
 
-constexpr long kMaxStageTimings = 100000;
-constexpr std::size_t kPacedTicks = 500;
+constexpr long kMaxStageTimings = 100000;  // limit of the timings per stage, in whole passes
+constexpr std::size_t kPacedTicks = 500;   // number of paced ticks: one second at 500 Hz
 
 // Count the heap allocations and page faults of a call.
 template <typename Call>
@@ -55,7 +55,7 @@ Series make_series(const char* name, std::size_t capacity) {
 }
 
 Series make_series(const char* name, const ReplayPlan& plan) {
-  return make_series(name, static_cast<std::size_t>(plan.passes) * plan.reports.size());
+  return make_series(name, static_cast<std::size_t>(plan.passes) * plan.low_states.size());
 }
 
 template <typename Controller>
@@ -71,9 +71,9 @@ Series time_ticks(const ReplayPlan& plan) {
   StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
   run_passes(plan, series, [&] {
     controller.reset();
-    for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+    for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
       apply_reference(plan, k, controller);
-      CallTiming timing = time_call([&] { controller.update(plan.reports[k]); });
+      CallTiming timing = time_call([&] { controller.update(plan.low_states[k]); });
       record_result(controller, controller.fallback_level() == FallbackLevel::kSolved, timing);
       series.timings.push_back(timing);
     }
@@ -87,11 +87,11 @@ Series time_paced_ticks(const ReplayPlan& plan) {
   timespec due{};
   clock_gettime(CLOCK_MONOTONIC, &due);
   count_memory(series.allocations, series.page_faults, [&] {
-    for (std::size_t k = 0; k < std::min(kPacedTicks, plan.reports.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(kPacedTicks, plan.low_states.size()); ++k) {
       due = add_microseconds(due, plan.period);
       clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
       apply_reference(plan, k, controller);
-      CallTiming timing = time_call([&] { controller.update(plan.reports[k]); });
+      CallTiming timing = time_call([&] { controller.update(plan.low_states[k]); });
       record_result(controller, controller.fallback_level() == FallbackLevel::kSolved, timing);
       series.timings.push_back(timing);
     }
@@ -103,9 +103,9 @@ Series time_state_to_torque(const ReplayPlan& plan) {
   StandController stand(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
   std::vector<RobotState> states;
   std::vector<Reference> references;
-  for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+  for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
     apply_reference(plan, k, stand);
-    stand.update(plan.reports[k]);
+    stand.update(plan.low_states[k]);
     states.push_back(stand.state());
     references.push_back(stand.reference());
   }
@@ -126,7 +126,7 @@ std::vector<Series> time_stages(const ReplayPlan& plan) {
   // Limit the number of passes: every stage has its own series, and more timings add no
   // information.
   const long passes = std::min(
-      plan.passes, std::max(1L, kMaxStageTimings / static_cast<long>(plan.reports.size())));
+      plan.passes, std::max(1L, kMaxStageTimings / static_cast<long>(plan.low_states.size())));
   std::vector<Series> stages;
   for (std::size_t k = 0; k < kStages; ++k) {
     stages.push_back(make_series(to_string(static_cast<Stage>(k)), plan));
@@ -134,15 +134,16 @@ std::vector<Series> time_stages(const ReplayPlan& plan) {
   }
   StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
   StageClock clock;
+  // Pass 0 warms up; its timings are discarded at the start of pass 1.
   for (long pass = 0; pass <= passes; ++pass) {
     controller.reset();
     for (Series& stage : stages) {
       if (pass == 1) stage.timings.clear();
     }
-    for (std::size_t tick = 0; tick < plan.reports.size(); ++tick) {
+    for (std::size_t tick = 0; tick < plan.low_states.size(); ++tick) {
       apply_reference(plan, tick, controller);
       clock.start();
-      controller.update(plan.reports[tick]);
+      controller.update(plan.low_states[tick]);
       clock.stop();
       for (std::size_t k = 0; k < kStages; ++k) {
         CallTiming timing;
@@ -164,7 +165,7 @@ Series time_null(const ReplayPlan& plan, double length) {
                                         time_call([&] { spin(kCalibrationRounds); }).wall);
   Series series = make_series("null", plan);
   run_passes(plan, series, [&] {
-    for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+    for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
       series.timings.push_back(time_call([&] { spin(rounds); }));
     }
   });

@@ -17,15 +17,15 @@ struct ReplayPlan {
   surefoot::QpForm form = surefoot::QpForm::kAuto;
   long passes = 1;     ///< number of timed passes over the LowStates, after one untimed pass
   long period = 2000;  ///< time between LowStates [us]
-  std::vector<surefoot::LowState> reports;
+  std::vector<surefoot::LowState> low_states;
   std::vector<surefoot::BodyReference> references;  ///< one per LowState, or empty
 };
 
 /// Time StandController::update(), LowState to LowCmd.
 Series time_ticks(const ReplayPlan& plan);
 
-/// Time StandController::update() at the rate of the LowStates, in one pass over the first
-/// LowStates. The thread sleeps between ticks, so that other processes use the caches.
+/// Time StandController::update() at the rate of the LowStates, in one pass over at most the first
+/// 500 LowStates. The thread sleeps between ticks, so that other processes use the caches.
 Series time_paced_ticks(const ReplayPlan& plan);
 
 /// Time WholeBodyController::update(), state to torque, on the estimated states and the references

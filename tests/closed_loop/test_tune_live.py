@@ -24,7 +24,7 @@ from surefoot.cli import main
 from surefoot.robot.description import describe_robot
 from surefoot.tune.live.control_process import RobotAddress
 from surefoot.tune.live.gain_editor import GainEditor
-from surefoot.tune.live.gain_file_directory import GainFolder
+from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.metric_curves import BUCKET_TIME, Curves, TickMetrics
 from surefoot.tune.live.page import Page

@@ -18,7 +18,7 @@ import pytest
 import surefoot
 from PIL import Image
 from surefoot.robot.description import describe_robot
-from surefoot.tune.live.gain_file_directory import GainFolder
+from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.page import Page
 from surefoot.tune.live.server import open_server
 from surefoot.tune.live.simulation import Simulation

@@ -37,8 +37,8 @@ class Daqp : public Adapter {
 
   Description describe() const override {
     return {"daqp", "c", PEER_VERSION,
-            "primal_tol as requested (its default), all else default; update_ldp() with all data, "
-            "then daqp_solve()",
+            "primal_tol as requested (DAQP's default is 1e-6), all else default; update_ldp() with "
+            "all data, then daqp_solve()",
             "working set of the last tick, factorised again (activate_constraints)"};
   }
   void clear_warm_start() override { cold_ = true; }
@@ -72,7 +72,7 @@ class Daqp : public Adapter {
   }
 
  private:
-  // setup_daqp() needs the data of the first QP. If it fails, it frees its memory.
+  // setup_daqp() needs the data of the first QP. If setup_daqp() fails, it frees the workspace.
   bool start() {
     work_ = {};
     allocate_daqp_settings(&work_);

@@ -91,7 +91,7 @@ class Hpipm : public Adapter {
   }
 
  private:
-  static constexpr int kHotStart = 3;
+  static constexpr int kHotStart = 3;  // warm_start of HPIPM: primal, dual and slack variables
 
   void set_settings() {
     d_dense_qp_ipm_arg_set_default(BALANCE, &settings_);

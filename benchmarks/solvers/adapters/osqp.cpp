@@ -52,7 +52,7 @@ class Osqp : public Adapter {
     upper_.resize(rows_);
     osqp_set_default_settings(&settings_);
     settings_.verbose = 0;
-    settings_.eps_abs = kEps * s.tolerance;
+    settings_.eps_abs = kToleranceFactor * s.tolerance;
     settings_.eps_rel = 0.0;
     settings_.max_iter = 20000;
     settings_.eps_prim_inf = settings_.eps_dual_inf = 1e-10;
@@ -110,8 +110,9 @@ class Osqp : public Adapter {
   }
 
  private:
-  static constexpr double kEps =
-      0.1;  // OSQP checks residuals of the scaled QP; with 1 here, some answers would be wrong
+  // Ratio of eps_abs to the requested tolerance. OSQP checks the residuals of its scaled QP. With
+  // the ratio 1, some answers would exceed the tolerance in the residuals of the original QP.
+  static constexpr double kToleranceFactor = 0.1;
 
   static bool used(const std::vector<char>& pattern, int k) {
     return pattern.empty() || pattern[k] != 0;

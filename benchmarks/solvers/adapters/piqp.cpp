@@ -26,8 +26,7 @@ class Piqp : public Adapter {
     return {"piqp", "c++", PEER_VERSION,
             "dense; eps_abs and eps_duality_gap_abs as requested, eps_rel 0, all else default; "
             "update() of all data, then solve()",
-            "no warm start of the solution, as for any interior-point method; memory and "
-            "preconditioner are kept"};
+            "no warm start of the solution: PIQP has none; memory and preconditioner are kept"};
   }
   void clear_warm_start() override {}
   void load_problem(const Problem& p) override {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // qpOASES through casadi::conic, because the casadi wheel has the library of qpOASES but not its
-// headers. The wrapper copies the data once and writes A row by row. Both are timed.
+// headers. The wrapper copies the data and converts A from columns to rows. Both are timed.
 #include <algorithm>
 #include <casadi/casadi.hpp>
 #include <limits>
@@ -34,8 +34,8 @@ class Qpoases : public Adapter {
     return {"qpoases", "c++ (casadi::conic)", PEER_VERSION,
             "SQProblem, dense; the settings of setToMPC() (no ramping, far bounds, flipping or NZC "
             "tests; regularisation), equalities kept active, hessian posdef; nWSR 500",
-            "hotstart() from the last tick with new matrices; cold start after a failure, which is "
-            "not timed"};
+            "hotstart() from the last tick with new matrices; after a failure, a new solver object "
+            "(not timed) and a cold start (timed)"};
   }
   void clear_warm_start() override { make(); }
   void load_problem(const Problem& p) override {

@@ -15,8 +15,8 @@ class Surefoot : public Adapter {
   Description describe() const override {
     return {"surefoot", "c++", SUREFOOT_VERSION,
             "QpSolver: dual active-set method from the last active set, and ProxQP without "
-            "preconditioner if that does not converge; tolerance as requested; residuals and gap "
-            "are checked after every attempt, which is timed",
+            "preconditioner if that does not converge; tolerance as requested; the check of "
+            "residuals and gap after every attempt is part of the timed solve",
             "active set of the last tick; x, y and z for ProxQP"};
   }
   void clear_warm_start() override { solver_.reset(); }

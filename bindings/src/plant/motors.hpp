@@ -82,7 +82,7 @@ inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
   return law;
 }
 
-/// Simulated motors: compute joint torques from the law in force, one physics step at a time.
+/// Simulated motors: compute joint torques from the present motor law, one physics step at a time.
 ///
 /// Models the torque-speed curve, a first-order lag (exact for a target that is constant in a
 /// step), and a constant scale error of each motor.
@@ -106,7 +106,7 @@ class Motors {
   Array12 torque = Array12::Zero();            ///< [N.m] torque that the motors produce
 
   /// Return the largest torques [N.m] at dq [rad/s]: tau_max up to corner_speed, then falling
-  /// linearly to zero at no_load_speed. A motor that brakes keeps tau_max.
+  /// linearly to zero at no_load_speed. A torque against the velocity may always reach tau_max.
   Array12 max_torque(const Array12& dq) const {
     return (stall_ - slope_ * dq).min(tau_max_).max(0.0);
   }

@@ -7,11 +7,12 @@ namespace surefoot::plant {
 
 /// Physics loop: MuJoCo's two half steps, mj_step1 and mj_step2, with motors and sensors.
 ///
-/// The functions are called by address. So the library of MuJoCo's wheel is used, whatever its
-/// version, and nothing is linked. mj_step2 uses the results of mj_step1 for the same instant. So
-/// the motors use the present state, and after the loop all positions belong to the same instant. A
-/// fatal error of MuJoCo, such as an unknown solver or lack of memory, ends the process. The models
-/// of this project cause no such error.
+/// The functions are called by address. So this module links no MuJoCo library, and works with the
+/// library of any MuJoCo wheel. In every physics step, the motors compute their torques from the
+/// present state, mj_step2 advances the state, and mj_step1 computes the positions of all bodies
+/// in the new state. So after the loop all positions belong to the same instant. A fatal error of
+/// MuJoCo, such as an unknown solver or lack of memory, ends the process. The models of this
+/// project cause no such error.
 class Physics {
  public:
   /// @param step1 address of mj_step1

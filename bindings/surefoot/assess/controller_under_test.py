@@ -25,7 +25,7 @@ from surefoot.robot.gain_files import gains_from_values
 ControllerFactory = Callable[..., Any]
 REFERENCE_CONTROLLERS = ("pd", "force_qp")
 BUILT_IN_CONTROLLERS = ("surefoot", *REFERENCE_CONTROLLERS)
-# [s] Largest delay over which "surefoot" does not predict, because prediction amplifies noise.
+# [s] For delays up to this value "surefoot" does not predict, because prediction amplifies noise.
 # Derived: two control periods (4 ms), a latency of 5 ms, and 0.5 ms of rounding.
 _MIN_PREDICTED_DELAY = 0.0095
 _MAX_PREDICTED_DELAY = 0.05  # [s] upper limit of StandOptions.delay

@@ -109,7 +109,8 @@ def _state_after_push(
             return 0.0, 0.0
         time = min(time_left, math.sqrt(2.0 * x_switch / a))
         x, v, time_left = 0.5 * a * time**2, a * time, time_left - time
-    # From here on the centre of pressure is at the edge: x'' = w^2 (x - d) + (1 + a / h) F / m.
+    # From here on the centre of pressure is at the edge: x'' = w^2 (x - d) +
+    # (1 + push_height / h) F / m.
     w = math.sqrt(w2)
     equilibrium = p.edge_distance - (1.0 + push_height / p.com_height) * force / (p.mass * w2)
     c, s = math.cosh(w * time_left), math.sinh(w * time_left)

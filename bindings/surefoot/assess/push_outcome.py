@@ -32,7 +32,8 @@ class PushOutcome:
         foot_mm: Largest slide or lift of a foot [mm]; None if the controller failed.
         return_error_mm: Largest base position error after RETURN_TIME [mm]; None if the robot fell
             or the controller failed.
-        return_error_deg: Largest base attitude error after RETURN_TIME [deg]; None as above.
+        return_error_deg: Largest base attitude error after RETURN_TIME [deg]; None if the robot
+            fell or the controller failed.
     """
 
     survived: bool

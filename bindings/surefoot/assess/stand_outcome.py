@@ -21,8 +21,9 @@ JUDGED_TIME = 1.0  # [s] time at the end of the run in which tilt and height are
 class StandOutcome:
     """Outcome of a quiet stand: largest errors relative to the initial pose.
 
-    On moving ground the body may keep its attitude or follow the ground. Tilt and height are then
-    the smaller one of both errors, and only horizontal foot displacements count.
+    On moving ground the body may keep its attitude or follow the ground. So tilt and height are
+    compared with the initial pose in two frames: the vertical one, and that of the plane of the
+    feet. The smaller error counts. Of the foot displacements, only the horizontal part counts.
 
     Attributes:
         stood: True if the robot did not fall.

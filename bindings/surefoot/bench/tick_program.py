@@ -57,7 +57,7 @@ def run_tick_program(
     """Time a recording; return the series by name, and facts about the executable.
 
     There are two facts. "build" is the compiler and flags of the library. "memory_locked" is true
-    if the system allowed mlockall(); otherwise the first pass maps the pages.
+    if the system allowed mlockall(); otherwise the page faults of the first pass map the memory.
 
     Raises:
         Error: The executable is missing, or it failed; the message has its error text.

@@ -13,7 +13,7 @@ from surefoot.bench.tick_program import Series
 PERCENTILES = {"min": 0.0, "p50": 50.0, "p90": 90.0, "p99": 99.0, "p99.9": 99.9, "max": 100.0}
 # Derived: one period.
 DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}  # [us] longest duration of a tick in time
-# Chosen: a quarter of the period at 500 Hz, above which a tick is late for a controller.
+# Chosen: a quarter of the period at 500 Hz.
 HISTOGRAM_END = 500  # [us] start of the last bin, which holds all longer durations
 
 

@@ -89,8 +89,8 @@ class _RunMonitor:
         self._operator = Operator(runner, robot, rise, print_line)
         self._last_status_time = self._last_poll_time = time.monotonic()
         self._phase = ""
-        self._refused = self._pauses = 0
-        self._stuck = self._ending = False
+        self._refused = self._resumed_dampings = 0
+        self._rise_failed = self._ending = False
 
     def end(self) -> None:
         """Finish the run, see StandRunner.finish(); a second call damps at once."""
@@ -138,11 +138,11 @@ class _RunMonitor:
                 else "arming checks fail"
             )
             self._print_line(f"{snapshot.time:7.2f} s not re-armed: {why}")
-        if snapshot.resumed_dampings > self._pauses:
-            self._pauses = snapshot.resumed_dampings
+        if snapshot.resumed_dampings > self._resumed_dampings:
+            self._resumed_dampings = snapshot.resumed_dampings
             self._print_line(f"{snapshot.time:7.2f} s resumed: the robot's clock had paused too")
-        if snapshot.rise_failed and not self._stuck:
+        if snapshot.rise_failed and not self._rise_failed:
             self._print_line(
                 f"{snapshot.time:7.2f} s rise given up: a leg or the body did not follow"
             )
-        self._stuck = snapshot.rise_failed
+        self._rise_failed = snapshot.rise_failed

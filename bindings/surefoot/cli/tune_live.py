@@ -69,7 +69,7 @@ def run(arguments: argparse.Namespace) -> None:
     """
     choose_graphics()
     try:
-        from surefoot.tune.live.gain_file_directory import GainFolder
+        from surefoot.tune.live.gain_folder import GainFolder
         from surefoot.tune.live.page import Page
         from surefoot.tune.live.server import close_server, open_server
     except ModuleNotFoundError as problem:

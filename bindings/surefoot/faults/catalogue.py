@@ -50,7 +50,7 @@ class Cell:
     def id(self) -> str:
         """ROW/INJECTION/MODE, for example "quaternion/wrong2/rising".
 
-        `number` follows INJECTION if it is above 1.
+        If `number` is above 1, it follows INJECTION.
         """
         number = str(self.number) if self.number > 1 else ""
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"

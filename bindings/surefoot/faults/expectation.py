@@ -28,8 +28,10 @@ class Expectation:
 
     Attributes:
         reaction: Expected reaction.
-        within: Longest time from the start of the fault until the reaction [s]. The reaction SIT
-            begins with the descent.
+        within: Longest allowed time until the reaction [s]. The time counts from the first
+            period in which Fault.is_observable() returns True. The reaction SIT begins with the
+            descent. For REFUSE: time from the onset of the fault; after this time, all requests
+            must be refused.
         fault: Name of the fault in fault_table() that the supervisor must report; "" for none.
         alternative: Name of a fault in fault_table(). If the supervisor detects this fault, damping
             is a correct reaction too. Needed for faults that the supervisor can only detect while
@@ -83,7 +85,7 @@ def table_expectation(fault: str, delay: float = 0.0) -> Expectation:
 def expect_sit(fault: str, delay: float = 0.0) -> Expectation:
     """Return the expectation that the robot sits down for a fault.
 
-    fault_table() lists these faults with a weaker reaction, which is the one of a standing robot.
+    For these faults, fault_table() states a weaker reaction: that of a robot that already stands.
 
     Args:
         fault: Name of the fault.

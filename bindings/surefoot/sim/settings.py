@@ -166,7 +166,8 @@ class PlantSettings:
 class Push:
     """A push: a horizontal force with constant world direction and a rectangular profile in time.
 
-    The force acts at the true centre of mass, or at a height above it, and moves with it.
+    The force acts at the true centre of mass, or at a height above the centre of mass, and follows
+    the motion of the centre of mass.
 
     Attributes:
         direction: "forward", "lateral" (left), or degrees from forward towards left, relative to

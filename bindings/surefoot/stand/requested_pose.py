@@ -37,7 +37,8 @@ def requested_pose(log: StandLog) -> FootFramePose:
     """Return the requested pose at every tick, in the frame of pose_from_feet().
 
     Without references the requested pose is the first true pose. Requested offsets refer to the
-    support frame. On a slope its z axis, the normal of the plane of the feet, is not vertical.
+    support frame. On a slope the z axis of the support frame is not vertical: it is normal to the
+    plane of the feet.
     """
     n = len(log.time)
     first = pose_from_feet(log.q_true[:1], log.feet[:1])
@@ -81,8 +82,9 @@ def reference_summary(log: StandLog) -> dict[str, Any]:
 def reach_limit(log: StandLog) -> str:
     """Return the limit that stopped the body reference: none, joint NAME, support, foot height ...
 
-    At a limit the controller clears the limit from time to time and tests it again. So this
-    function returns the last limit within the last LIMIT_WINDOW seconds.
+    The controller clears a limit when no axis has been blocked for 0.1 s. Then the body reference
+    may reach the same limit again. So this function returns the last limit that was reported within
+    the last LIMIT_WINDOW seconds.
     """
     last = slice(-max(1, round(LIMIT_WINDOW * log.rate)), None)
     limited_ticks = np.flatnonzero(log.reach[last] != ReachLimit.NONE.value)

@@ -63,7 +63,8 @@ def run_stand(
         elapsed = perf_counter_ns() - start
         recorder.record(truth, controller, command, elapsed / 1000.0)
         state = plant.step(command)
-        # A sample of real sensors is one period old, so its true state is that before this step.
+        # step() returns a sample that is one period old with real sensors. So the true state of
+        # this sample is the state before the step.
         previous, truth = truth, plant.truth
         sample_truth = previous if plant.settings.real else truth
         if progress is not None:

@@ -22,7 +22,8 @@ from surefoot.tune.trace import Trace
 # of the costs matters.
 FALL_COST = 100.0
 # [s] Length of the intervals of rest: before the first push, and at the end. Chosen: shorter than
-# FIRST_PUSH_TIME (0.6 s) minus the start of the run, and long enough for frequencies above 30 Hz.
+# FIRST_PUSH_TIME (0.6 s) minus the time that the estimator needs at its start (0.15 s), and long
+# enough for frequencies above 30 Hz.
 STILL_TIME = 0.4
 
 # The weights are chosen by hand, not measured: an objective weights most what its name says.

@@ -9,29 +9,30 @@ from typing import Any
 
 from surefoot._core import Button
 from surefoot.system.terminal import has_keyboard
-from surefoot.virtual_robot.remote import STICKS, Remote, RemoteEvent
+from surefoot.virtual_robot.remote import AXES, Remote, RemoteEvent
 
 KEYS_HELP = (
-    "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), "
-    "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
+    "keys: w a s d: left stick, i j k l: right stick, space: centres both; A B X Y (capitals), "
+    "arrows, Enter: START, Tab: SELECT, 1: L1, 2: L2, 9: R1, 0: R2, F: F1, G: F2 (capitals)"
 )
 # [s] Time after which a button is released, because a terminal does not report key releases.
 # Chosen: longer than the delay of key repetition, and long enough for a controller to notice.
 BUTTON_HOLD_TIME = 0.5
-# Change of a stick position (-1 .. 1) per key press. Chosen: four presses move a stick to its end.
-STICK_STEP = 0.25
-_STICK_KEYS = {
+# Change of the position of an axis (-1 .. 1) per key press. Chosen: four presses move a stick to
+# its end.
+AXIS_STEP = 0.25
+_AXIS_KEYS = {
     **{
-        "a": ("lx", -STICK_STEP),
-        "d": ("lx", STICK_STEP),
-        "s": ("ly", -STICK_STEP),
-        "w": ("ly", STICK_STEP),
+        "a": ("lx", -AXIS_STEP),
+        "d": ("lx", AXIS_STEP),
+        "s": ("ly", -AXIS_STEP),
+        "w": ("ly", AXIS_STEP),
     },
     **{
-        "j": ("rx", -STICK_STEP),
-        "l": ("rx", STICK_STEP),
-        "k": ("ry", -STICK_STEP),
-        "i": ("ry", STICK_STEP),
+        "j": ("rx", -AXIS_STEP),
+        "l": ("rx", AXIS_STEP),
+        "k": ("ry", -AXIS_STEP),
+        "i": ("ry", AXIS_STEP),
     },
 }
 _BUTTON_KEYS = {
@@ -96,12 +97,12 @@ class Keyboard:
         while text:
             key = text[:3] if text.startswith("\x1b[") else text[0]
             text = text[len(key) :]
-            if key in _STICK_KEYS:
-                name, step = _STICK_KEYS[key]
+            if key in _AXIS_KEYS:
+                name, step = _AXIS_KEYS[key]
                 value = max(-1.0, min(1.0, self._remote.stick(name) + step))
                 self._remote.apply(RemoteEvent(time, name, value=value))
             elif key == " ":
-                for name in STICKS:
+                for name in AXES:
                     self._remote.apply(RemoteEvent(time, name, value=0.0))
             elif key in _BUTTON_KEYS:
                 self._pressed_since[_BUTTON_KEYS[key]] = time

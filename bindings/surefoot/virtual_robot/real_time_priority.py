@@ -12,8 +12,8 @@ _PRIORITY = 70
 class RealTimePriority:
     """Context manager that requests SCHED_FIFO and switches off the garbage collector of Python.
 
-    The cycles of the virtual robot create no reference cycles, so memory does not grow without the
-    collector.
+    VirtualRobot.cycle() creates no objects that refer to each other in a circle, so memory does not
+    grow without the collector.
 
     Attributes:
         granted: Scheduling that the system granted, as text.

@@ -9,20 +9,22 @@ from pathlib import Path
 from surefoot._core import Button, Error, WirelessRemote
 from surefoot.robot.robot_toml import suggest
 
-STICKS = ("lx", "ly", "rx", "ry", "L2")
+# Axes of wirelessRemote, with positions -1 .. 1: x and y of both sticks, and the analogue trigger
+# L2. The trigger also has a button L2.
+AXES = ("lx", "ly", "rx", "ry", "L2")
 _BUTTONS = {name.upper(): button for name, button in Button.__members__.items()}
 
 
 @dataclass(frozen=True)
 class RemoteEvent:
-    """One operation of the remote: a button is pressed or released, or a stick is moved.
+    """One operation of the remote: a button is pressed or released, or an axis is moved.
 
     Attributes:
         time: Time of the operation [s].
-        action: "press", "release", or the stick that is moved: "lx", "ly", "rx", "ry", "L2" (the
-            trigger).
-        button: Button that is pressed or released; None if a stick is moved.
-        value: New position of the stick, -1 .. 1; unused for a button.
+        action: "press", "release", or the axis that is moved: "lx", "ly" (left stick), "rx", "ry"
+            (right stick), "L2" (trigger).
+        button: Button that is pressed or released; None if an axis is moved.
+        value: New position of the axis, -1 .. 1; unused for a button.
     """
 
     time: float
@@ -64,12 +66,14 @@ def parse_event(words: Sequence[str]) -> RemoteEvent:
         Error: The words are not an operation of the remote, or a value is out of range.
     """
     if len(words) != 3:
-        raise Error(f"got {len(words)} words, expected TIME press|release BUTTON or TIME STICK X")
+        raise Error(
+            f"got {len(words)} words, expected TIME press|release BUTTON or TIME AXIS POSITION"
+        )
     time, action, argument = _number("time", words[0], 0.0, 1e9), words[1], words[2]
-    if action in STICKS:
+    if action in AXES:
         return RemoteEvent(time, action, value=_number(action, argument, -1.0, 1.0))
     if action not in ("press", "release"):
-        valid = ("press", "release", *STICKS)
+        valid = ("press", "release", *AXES)
         raise Error(f"got '{action}'{suggest(action, valid)}, expected one of {', '.join(valid)}")
     if argument.upper() not in _BUTTONS:
         raise Error(f"got button '{argument}', expected one of {', '.join(_BUTTONS)}")
@@ -119,5 +123,5 @@ class Remote:
         self.bytes = state.to_bytes()
 
     def stick(self, name: str) -> float:
-        """Return the present position of a stick, -1 .. 1."""
+        """Return the present position of an axis, -1 .. 1."""
         return float(getattr(self._state, name))

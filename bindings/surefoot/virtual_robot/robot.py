@@ -40,7 +40,8 @@ class VirtualRobot:
         on_message: Function that receives a line of text about each event; None: no messages.
 
     Raises:
-        Error: The robot is unknown, a file is missing, or the robot has no generation of frames.
+        Error: The robot is unknown, a file is missing, or settings.sdk is None and the robot has no
+            default frame generation.
 
     Attributes:
         settings: The settings.
@@ -51,8 +52,9 @@ class VirtualRobot:
         state: Latest LowState.
         command: Latest valid command as the motors received it; None before the first command.
         power: Sum over the motors of the absolute product tauEst dq in the latest LowState [W].
-        fell_at: Time of the fall [s]; None: no fall. A robot that started lying falls when its tilt
-            exceeds the fall threshold.
+        fell_at: Time of the fall [s]; None: no fall. A fall is what sim.truth.has_fallen()
+            detects. If the run began with a lying robot, only its tilt counts, because its body may
+            touch the ground.
     """
 
     def __init__(

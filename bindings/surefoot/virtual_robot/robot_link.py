@@ -17,8 +17,9 @@ from surefoot.virtual_robot.udp_port import Address, DatagramPort
 # larger than the burst of a controller after a stall. With a larger value, reading may take longer
 # than a cycle of 1 ms.
 MAX_DATAGRAMS_PER_CYCLE = 32
-# [s] Shortest time after a valid command in which only its sender can be the peer. Equal to the
-# default timeout after which the motors damp.
+# [s] Lower limit of the hold time: for this long after a valid command, a query does not change the
+# peer. A valid command of another sender changes the peer at once. Equal to the default timeout
+# after which the motors damp.
 _MIN_PEER_HOLD_TIME = 0.1
 _RNG_STREAM = 10  # number of the first of two random streams; the plant uses 0 .. 3
 
@@ -28,8 +29,9 @@ class RobotLink:
 
     The peer is the sender of the last valid command. The hold time is the larger one of
     settings.timeout and 0.1 s. If no valid command arrived for longer than the hold time, the peer
-    is the sender of the last query. A query is a datagram that is blank or has the length of any
-    generation's LowCmd. With queries, a program can find out the generation of this robot.
+    is the sender of the last query. A query is a datagram that is not a valid command, but is blank
+    or has the length of the LowCmd of any frame generation. The robot answers a query with samples,
+    whose length shows the frame generation of this robot.
 
     Args:
         port: Port that receives and sends datagrams.

@@ -69,7 +69,7 @@ def run_robot(
     if options.view:
         check_display()
     with ExitStack() as stack:
-        # Open the port before building the robot: this step fails most often, and building takes a
+        # Open the port before building the robot: opening fails more often, and building takes a
         # second.
         port = UdpPort(options.host, options.port)
         stack.callback(port.close)

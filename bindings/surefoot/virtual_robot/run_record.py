@@ -36,8 +36,8 @@ class RunRecorder:
         rate = settings.log_rate
         self._log_interval = max(1, round(settings.rate / rate)) if rate > 0.0 else 0
         self._rate = settings.rate / self._log_interval if self._log_interval else 0.0
-        # Each row has q, dq, tau of 12 motors, then time, height and tilt. The command beside a row
-        # is a reference, not a copy.
+        # Each row has q, dq, tau of 12 motors, then time, height and tilt. An entry also has the
+        # command (not copied, because no command changes later) and whether commands were missing.
         self._rows: deque[tuple[Array, MotorCommands | None, bool]] = deque(
             maxlen=max(1, round(MAX_LOG_TIME * self._rate))
         )

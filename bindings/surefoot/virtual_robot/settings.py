@@ -22,8 +22,8 @@ class VirtualRobotSettings:
 
     Attributes:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
-        sdk: Generation of the frames, one of protocol.GENERATIONS; None: the generation of the
-            robot.
+        sdk: Frame generation: version of the SDK's frame format, one of protocol.GENERATIONS, such
+            as go1-v3.8; None: the default frame generation of this robot.
         rate: LowStates per second [Hz]; the period must be a whole number of milliseconds.
         hung: True: the base is fixed in the air, and the legs are free.
         lying: True: the robot starts lying in a random leg pose with damping motors.
@@ -74,10 +74,10 @@ class VirtualRobotSettings:
 
     @property
     def generation(self) -> str:
-        """Generation of the frames, one of protocol.GENERATIONS.
+        """Frame generation of the robot, one of protocol.GENERATIONS.
 
         Raises:
-            Error: `sdk` is None, and the robot has no generation of frames.
+            Error: `sdk` is None, and this robot has no default frame generation.
         """
         if self.sdk is not None:
             return self.sdk

@@ -74,7 +74,7 @@ def _launcher() -> Any:
             if not glfw.init():
                 raise Error(
                     "view: cannot open a window: the display does not answer; "
-                    "start it without --view"
+                    "start the virtual robot without --view"
                 )
     except (ImportError, OSError) as problem:
         raise Error(f"view: cannot open a window: {problem}") from None

@@ -12,7 +12,7 @@ WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's PowerProtect; Safety::kWat
 # [rad/s] Reported speed of the calf motors. Chosen: at a lower speed, the same power would need
 # torques beyond the plausible range of a LowState. The speed limits of the motors are higher
 # (15 rad/s and more).
-KNEE_SPEED = 5.0
+CALF_SPEED = 5.0
 
 
 class JointOutsideLimits(Fault):
@@ -58,12 +58,12 @@ class PowerOverload(Fault):
     def assumed_robot(self, robot: Robot) -> Robot:
         """Compute the reported torque from the robot's power level; return the model unchanged."""
         watts = self._power_ratio * WATTS_PER_LEVEL * power_level(robot.name)
-        self._torque = watts / 4 / KNEE_SPEED
+        self._torque = watts / 4 / CALF_SPEED
         return robot
 
     def change_state(self, state: LowState, k: int) -> None:
         """Replace speed and torque of the four calf motors in a sample."""
         if k % self._every < self._length:
             for motor in (2, 5, 8, 11):
-                state.motorState[motor].dq = KNEE_SPEED
+                state.motorState[motor].dq = CALF_SPEED
                 state.motorState[motor].tauEst = self._torque

@@ -13,14 +13,14 @@ from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
 # All times are chosen; longer times cost run time (495 cells per robot take 4 to 11 minutes).
-# [s] Time of observation after the motors damp, or after the robot lies. If torques resume, they
-# resume within the fade time of TorqueFade (0.25 s).
+# [s] Time of observation after the motors damp, or after the robot lies. Longer than the fade of
+# the torques (TorqueFade, 0.25 s), in which damping motors could wrongly get torque again.
 SETTLED_TIME = 0.6
 # [s] Time of observing a standing robot, or of waiting until it damps. Longer than most detection
 # times in fault_table().
 STAND_TIME = 3.0
 LIE_TIME = 1.2  # [s] time of observing a lying robot; longer than arming_time (1 s)
-SIT_TIME = 9.0  # [s] longest time of sitting down; several times the duration of a rise (2 s)
+SIT_TIME = 9.0  # [s] longest time of sitting down; several times the 2 s of Supervisor.rise_time
 
 
 @dataclass

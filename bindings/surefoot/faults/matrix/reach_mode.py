@@ -10,8 +10,8 @@ RISE_REQUESTED = "rise requested"  # mode in which the fault begins right after 
 # The numbers are chosen; docs/reference/fault-injection.md lists them.
 # Share of the rise at which a fault begins. There the legs carry the body, and the rise goes on.
 RISE_FRACTION = 0.4
-RISE_TIME = 15.0  # [s] longest rise; the median is 7 to 10 s (benchmarks/get_up.py)
-SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; the fade takes 0.25 s
+RISE_TIME = 15.0  # [s] longest rise with folding; median 7 to 10 s (benchmarks/get_up.py)
+SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; the torques fade for 0.25 s
 PUSH_FRACTION = 0.4  # impulse as a share of the LIP push limit; survived in place without a fault
 PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; time from its start to the fault
 

@@ -10,8 +10,8 @@ from surefoot.faults.kinds.signals import SignalFault
 
 # [s] Longest time from an injection into a rising robot until the robot stands. It is added to the
 # detection time of faults that the supervisor detects only when the robot stands. Chosen: longer
-# than the rest of the rise (2 s; RISE_FRACTION of matrix/reach_mode.py sets its beginning) plus the
-# fade of the torques (0.25 s).
+# than the rest of the rise (less than 2 s, because the injection begins at RISE_FRACTION of
+# matrix/reach_mode.py) plus the fade of the torques (0.25 s).
 DELAY_UNTIL_STANDING = 6.0
 GYROSCOPE_FAULT = table_expectation("gyroscope")
 GYROSCOPE_FAULT_WHEN_STANDING = table_expectation("gyroscope", delay=DELAY_UNTIL_STANDING)

@@ -8,8 +8,9 @@ inertia. With
     stiffness = K (1 - d) A,    damping = C (1 - d) A
 
 the force is f = -K r - C v - a / R: a spring, a damper, and a ground mass of 1 / R [kg] that moves
-with the foot. A smaller d makes this mass lighter. But a smaller d also makes the explicit damper
-stiffer, and the physics step limits its stiffness. So d is chosen as small as the step allows.
+with the foot. A smaller d makes this mass lighter. But a smaller d also shortens the time constant
+of the damper. MuJoCo integrates the damper explicitly, so the time constant must not be too short
+for the physics step. So d is chosen as small as the step allows.
 
 Friction stays that of rigid ground. MuJoCo derives the regularisation of friction from R and
 impratio, and by default the velocity gain of friction from the damping of the spring. impratio and

@@ -15,7 +15,8 @@ from surefoot.tune.design.timing import Observers, Timing
 
 Array = npt.NDArray[np.float64]
 
-# Chosen: the overhead of a call is small against its ticks; a diverging run ends soon.
+# Chosen: the overhead of a call is small against its ticks. simulate() computes whole blocks, so a
+# larger block would compute more unused ticks.
 _BLOCK_TICKS = 200  # number of ticks that one CasADi call computes
 
 

@@ -30,7 +30,7 @@ class Direction:
         rotates: True for roll, pitch and yaw.
         inertia: Inertia of the robot in this direction, with rotors [kg or kg.m^2].
         friction: Deceleration by dry friction of the joints [m/s^2 or rad/s^2]. It is 0 for y,
-            because friction hardly changes the boundary of y (docs/how-to/design-gains.md).
+            because friction hardly changes the stability boundary (docs/how-to/design-gains.md).
         viscous: Deceleration by viscous friction of the joints, per speed [1/s].
         base_motion_ratio: Displacement of the base origin per displacement of the centre of mass.
         external_acceleration_ratio: Ratio of lost planned acceleration to estimated external

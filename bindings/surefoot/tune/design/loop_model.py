@@ -113,7 +113,7 @@ class Tick:
         return state, gains, next_state
 
     def _update_push_observer(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any, Any]:
-        """Return the two next states of the push observer, and the external acceleration."""
+        """Return the next push and surprise_time, and the estimated external acceleration."""
         if linear or self.direction.rotates:
             return 0.0, 0.0, 0.0
         period = self.timing.period

@@ -23,8 +23,8 @@ FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] range searched for the greatest sta
 # oscillates() compares the accelerations in both windows. Chosen. Slow loops run for longer.
 _RUN_TIME, _END_WINDOW, _START_WINDOW = 2.4, 0.4, 0.2
 # Largest ratio of the accelerations in the last and the first window that counts as decayed.
-# Chosen: larger than the ratio that friction leaves in a loop at rest. With a larger value, a slow
-# oscillation would count as decayed.
+# Chosen: larger than the ratio that remains after friction has stopped the motion. With a larger
+# value, a slow oscillation would count as decayed.
 _DECAY_RATIO = 0.05
 # Numerical: rounding of the eigenvalues of an integrator, whose radius is 1.
 _STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable

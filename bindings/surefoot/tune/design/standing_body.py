@@ -86,7 +86,8 @@ def _body_motions(robot: Robot) -> Array:
     """Return the matrix (nv, 6) that maps task velocities (v_com, w) to v, with fixed feet.
 
     v_com is the velocity of the centre of mass, w the angular velocity of the base. Fixed feet
-    mean J_b v_b + J_l v_l = 0. The base velocity v_b gives (v_com, w) = T v_b.
+    mean J_b v_b + J_l v_l = 0, where J_b and J_l are the columns of the foot Jacobian for the base
+    and for the legs. The base velocity v_b gives (v_com, w) = T v_b.
     """
     q = robot.q_standing()
     jacobian = np.asarray(symbolic.foot_jacobian(robot)(q))

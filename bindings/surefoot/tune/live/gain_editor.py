@@ -60,7 +60,7 @@ class GainEditor:
         return get_gain(self._gains, name)
 
     def set(self, name: str, value: float) -> None:
-        """Set one gain. undo() undoes changes of one gain together if they follow within 1 s.
+        """Set one gain; undo() undoes changes of one gain within 1 s of each other together.
 
         Raises:
             Error: The gain is unknown, or its value is not permitted.

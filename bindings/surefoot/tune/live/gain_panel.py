@@ -8,7 +8,7 @@ from typing import Any
 import viser
 
 from surefoot.tune.live.gain_editor import SLOTS, GainEditor, differences
-from surefoot.tune.live.gain_file_directory import GainFolder
+from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.gain_sliders import GainSliders
 from surefoot.tune.live.notifier import Notifier

@@ -8,7 +8,7 @@ import time
 import viser
 
 from surefoot._core import Error
-from surefoot.tune.live.gain_file_directory import GainFolder
+from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.gain_panel import GainPanel
 from surefoot.tune.live.link_panel import add_link_panel
 from surefoot.tune.live.notifier import Notifier

@@ -1,4 +1,4 @@
-"""Recorder of the last push: its score is the cost of the three seconds after it begins."""
+"""Recorder of the last push; the score is the cost of the three seconds from its beginning on."""
 
 from __future__ import annotations
 

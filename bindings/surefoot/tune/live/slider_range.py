@@ -46,8 +46,8 @@ def rounded_range(low: float, high: float, value: float) -> SliderRange:
     """Return a range whose step is a power of ten and whose lower end is a multiple of the step.
 
     Args:
-        low: Lower end before rounding. The function rounds it up to a multiple of the step, but not
-            above `value`.
+        low: Lower end before rounding. The function rounds this end up to a multiple of the
+            step, but not above `value`.
         high: Upper end. If `high` is not above `low`, the range contains only `value`.
         value: Value that the range must include.
     """

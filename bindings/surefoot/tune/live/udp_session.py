@@ -118,10 +118,10 @@ class UdpSession:
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_comPos(self._model, data)
         # Offset from a contact point up to the centre of the foot.
-        down = np.array([0.0, 0.0, self.robot.config.foot_radius])
+        contact_to_centre = np.array([0.0, 0.0, self.robot.config.foot_radius])
         self.scene_state = SceneState(
             qpos=data.qpos.copy(),
-            contact_points=data.xpos[handles.foot_bodies] - down,
+            contact_points=data.xpos[handles.foot_bodies] - contact_to_centre,
             forces=runner_status.forces.T,
             contact=runner_status.contact,
             com=data.subtree_com[handles.root].copy(),

@@ -21,7 +21,7 @@ PUSH_LIMIT_SHARE = 0.35, 0.8
 # The following ranges of robots and grounds are chosen, not measured on real ones.
 MAX_PAYLOAD_SHARE = 0.2  # greatest payload as a share of the robot's mass
 FRICTION_RANGE = 0.5, 1.0  # range of the friction coefficient of the ground
-# Chosen: 8 ms, so that the gains keep a margin of delay (git 59a9cea).
+# Chosen: 8 ms (8 times COARSE_DT), so that the gains keep a margin of delay (git 59a9cea).
 MAX_DELAY_STEPS = 8  # [physics steps] greatest additional delay of commands
 MOTOR_LAG_RANGE = 0.001, 0.004  # [s] range of the time constant of the motor torque
 JOINT_FRICTION_RANGE = 0.5, 2.0  # range of the factor on the joint friction of the model

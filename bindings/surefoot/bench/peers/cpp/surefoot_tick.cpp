@@ -45,20 +45,20 @@ class WholeTick {
  public:
   explicit WholeTick(const peers::Problem& problem)
       : controller_(surefoot::Robot::load(problem.folder + "whole.robot")) {
-    reports_.resize(problem.ticks);
+    low_states_.resize(problem.ticks);
     std::ifstream file(problem.folder + "reports.bin", std::ios::binary);
-    if (!file.read(reinterpret_cast<char*>(reports_.data()),
-                   reports_.size() * sizeof(surefoot::LowState))) {
+    if (!file.read(reinterpret_cast<char*>(low_states_.data()),
+                   low_states_.size() * sizeof(surefoot::LowState))) {
       throw std::runtime_error(problem.folder + "reports.bin: too short");
     }
   }
 
   void load(int tick) {
     if (tick == 0) controller_.reset();  // otherwise the controller's clock would go backwards
-    report_ = &reports_[tick];
+    low_state_ = &low_states_[tick];
   }
 
-  void tick() { controller_.update(*report_); }
+  void tick() { controller_.update(*low_state_); }
 
   void read_result(peers::TickResult& out) const {
     out.solved = surefoot::is_usable(controller_.status());
@@ -66,8 +66,8 @@ class WholeTick {
 
  private:
   surefoot::StandController controller_;
-  std::vector<surefoot::LowState> reports_;
-  const surefoot::LowState* report_ = nullptr;
+  std::vector<surefoot::LowState> low_states_;
+  const surefoot::LowState* low_state_ = nullptr;
 };
 
 template <typename Implementation>

@@ -68,8 +68,8 @@ class Tsid {
     }
   }
 
-  // eiquadprog-rt is faster, but its sizes must be known at compile time. They are those of four
-  // legs with three joints each.
+  // eiquadprog-rt is faster, but its sizes must be known at compile time. The template
+  // arguments are the sizes for four legs with three joints each.
   void make_solver(unsigned n, unsigned n_eq, unsigned n_in) {
     if (n == 30 && n_eq == 18 && n_in == 32) {
       solver_ = std::make_unique<tsid::solvers::SolverHQuadProgRT<30, 18, 32>>("solver");
