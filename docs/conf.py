@@ -64,6 +64,7 @@ myst_heading_anchors = 4
 
 napoleon_use_ivar = True  # else a dataclass would have each field twice
 autodoc_member_order = "bysource"
+autoclass_content = "both"  # nanobind documents the constructor at __init__
 autodoc_typehints = "description"
 autodoc_default_options = {"members": True, "undoc-members": False}
 coverage_modules = public_modules()

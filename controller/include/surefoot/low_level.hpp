@@ -98,7 +98,7 @@ struct BmsCmd {
   std::array<std::uint8_t, 3> reserve;  ///< reserved by the vendor; not used
 };
 
-/// State of the battery. If SOC is low, the Supervisor lets the robot sit down.
+/// State of the battery. If SOC is low, the Supervisor makes the robot sit down.
 struct BmsState {
   std::uint8_t version_h;                  ///< firmware version, high byte; not used
   std::uint8_t version_l;                  ///< firmware version, low byte; not used

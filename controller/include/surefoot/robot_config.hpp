@@ -46,10 +46,10 @@ struct JointRange {
 
 /// Compute the range within which QP and body reference keep motor `i`, 0 .. 11.
 ///
-/// The range is q_lower .. q_upper. For a hip it also ends at hip_inward. Beyond that angle the
-/// trunk rests on the thigh, and the dynamics do not model this contact. Arming checks and
-/// protections use q_lower and q_upper instead, because an external force may push a hip beyond
-/// hip_inward. Real-time: yes.
+/// The range is q_lower .. q_upper; for a hip it ends at hip_inward on the inward side. Beyond
+/// hip_inward the trunk rests on the thigh, and the dynamics do not model this contact. Arming
+/// checks and protections use q_lower and q_upper instead, because an external force may push a hip
+/// beyond hip_inward. Real-time: yes.
 JointRange motion_range(const RobotConfig& config, int i) noexcept;
 
 /// Compute the largest torque [N.m] of motor `i`, 0 .. 11, in the direction of `sign` at joint

@@ -121,8 +121,8 @@ class StandController {
 
   /// Estimated state. After a tick that reached the QP, state().friction is the share that the QP
   /// could use: in general at most 0.7 while the capture point is more than 6 cm inside the support
-  /// edges, and less while a foot slips. After any other tick it contains only the reduction for
-  /// slipping feet.
+  /// edges, and less while a foot slips. After any other tick, state().friction contains only the
+  /// reduction for slipping feet.
   const RobotState& state() const noexcept;
   EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
   const Reference& reference() const noexcept;        ///< of the last tick with a good estimate
@@ -147,8 +147,8 @@ class StandController {
 
   /// Set the gains, between ticks. While the controller is active, active_gains() approach the new
   /// gains within 0.1 s, counted over good ticks only, so that torques do not jump. Before the
-  /// first good sample and while damping is latched, they change at once. Throws surefoot::Error
-  /// and changes nothing if a gain is invalid. Real-time: no.
+  /// first good sample and while damping is latched, active_gains() change at once. Throws
+  /// surefoot::Error and changes nothing if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
   /// Leave damping, clear the body reference and the lost leg, and latch the pose again with the
   /// next good samples. Real-time: yes.

@@ -42,7 +42,7 @@ enum class RunPhase {
   kRising,    ///< the robot rises
   kStanding,  ///< the StandController is in control
   kSitting,   ///< the robot sits down
-  kDamping,   ///< the motors damp until arm(), or until a robot whose clock had paused continues
+  kDamping,   ///< the motors damp: latched until arm(), or while the robot is silent
   kEnded      ///< the run ends after 0.2 s of damping commands
 };
 /// Return the name of a phase, such as "standing". Real-time: yes.

@@ -16,10 +16,10 @@ class Dynamics;
 ///
 /// A contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle, 2020)
 /// estimates orientation, velocity, position, contact points and IMU biases from the raw gyroscope
-/// and accelerometer and the leg kinematics. The filter uses the IMU quaternion at the start. Later
-/// the filter checks the quaternion, and uses it if the gyroscope is zero or constant. The contact
-/// confidence of each foot is fused from footForceEst, footForce, joint torques and foot motion.
-/// These contact sources are also checked against each other.
+/// and accelerometer and the leg kinematics. The IMU quaternion gives the initial orientation.
+/// Later the quaternion is only checked against the filter; it replaces the gyroscope while the
+/// gyroscope is faulty. The contact confidence of each foot is fused from footForceEst, footForce,
+/// joint torques and foot motion. These contact sources are also checked against each other.
 ///
 /// The world frame has z up; at the first sample it has the heading of the base, and the mean
 /// height of the feet is zero. Position and yaw are not observable, so both drift; report() has the

@@ -15,9 +15,9 @@ namespace surefoot {
 struct SupervisorOptions {
   /// Level of Safety::power_protect(), 1 .. 10, which trips at 100 W times the level.
   ///
-  /// Rises and descents are planned for half of this power. While the robot stands,
-  /// stand.power_limit is reduced to 0.9 of this power if it is larger. 0 switches off the
-  /// protection and this reduction; rises and descents are then planned for level 1.
+  /// Rises and descents are planned for half of this power. While the robot stands, the power limit
+  /// is 0.9 of this power or stand.power_limit, whichever is smaller. With level 0 the protection
+  /// is off, stand.power_limit is used as it is, and rises and descents are planned for level 1.
   int power_level = 1;
   double arming_time = 1.0;           ///< [s] time for which all arming checks must have passed
   double temperature_warning = 60.0;  ///< [deg C] motor temperature that reduces torque limits
@@ -81,8 +81,8 @@ class Supervisor {
 
   /// Compute the command of a period without a new LowState: the last command while it is at most
   /// 10 ms old, and damping after that. After 20 ms requests are refused until update() is called
-  /// again. This function latches damping only after stop(). To latch damping after a long gap (20
-  /// ms in StandRunner), call report_link_lost(). Real-time: yes.
+  /// again. This function latches damping only after stop(). To latch damping after a long gap,
+  /// call report_link_lost(), as StandRunner does. Real-time: yes.
   /// @param age [s] age of the newest LowState, measured by the caller; negative and NaN count as
   /// too old
   /// @return the command to send

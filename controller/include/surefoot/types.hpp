@@ -106,7 +106,7 @@ struct Reference {
   Vector3 ground_normal = Vector3::UnitZ();
 };
 
-/// Form of the whole-body QP: how the equations of motion are eliminated.
+/// Form of the whole-body QP: which quantities are its variables.
 enum class QpForm {
   kAuto,  ///< kCondensed while this form is valid, else kGeneral, with hysteresis
   /// The variables are the contact forces. If a leg is nearly singular, the status is

@@ -29,11 +29,12 @@ struct WholeBodyOptions {
 /// the contact forces from the even forces. Equality constraints: rigid-body dynamics with
 /// armature, and the desired accelerations of the contact points. One exception: in the general
 /// form, the desired acceleration of the foot of a nearly singular leg is a cost, not a constraint.
-/// Near the support edge, the joint limits of an unloaded leg are lifted in the QP and applied
-/// afterwards. Hard constraints: friction and largest normal force of each foot, which always allow
-/// f = 0. Elastic constraints with exact penalties: motor torque (torque-speed curve), joint
-/// position and velocity, and hold-down. They keep the QP feasible. Finally the torques are clipped
-/// to the motor limits; Solution::clipped_torque is the largest amount clipped.
+/// Near the support edge, the QP widens the joint limits of an unloaded leg so far that they have
+/// no effect; the limits are then applied to its solution. Hard constraints: friction and largest
+/// normal force of each foot, which always allow f = 0. Elastic constraints with exact penalties:
+/// motor torque (torque-speed curve), joint position and velocity, and hold-down. Because these
+/// constraints are elastic, the QP is always feasible. Finally the torques are clipped to the motor
+/// limits; Solution::clipped_torque is the largest amount clipped.
 /// docs/explanation/condensed-qp.md has the equations.
 ///
 /// Assumes spherical feet that roll, and one ground normal for all feet. Not thread-safe.
@@ -82,9 +83,9 @@ class WholeBodyController {
   void add_task(std::shared_ptr<Task> task);
 
   const Solution& solution() const noexcept;  ///< solution of the last tick
-  /// Return the scaled QP that the last tick solved, for benchmarks and debugging. If no elastic
-  /// constraint is violated, this is the QP without slack variables; else it is the QP with slack
-  /// variables. Real-time: yes.
+  /// Return the scaled QP that the last tick solved, for benchmarks and debugging. It has slack
+  /// variables if an elastic constraint was violated in this tick or in one of the ten ticks
+  /// before; else it has none. Real-time: yes.
   const QpProblem& qp() const noexcept;
   const Gains& gains() const noexcept;  ///< gains last set
 

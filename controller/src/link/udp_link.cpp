@@ -74,9 +74,9 @@ bool UdpLink::receive() noexcept {
   return newer;
 }
 
-// Process a datagram from the peer: decode it and count it. Store it if it is a newer LowState or
-// the robot has restarted. Return whether it was stored. Invalid, duplicate and reordered datagrams
-// are only counted.
+// Process a datagram from the peer: decode it and count it. Store the LowState if it is newer than
+// the stored one, or if the robot has restarted. Return whether the LowState was stored. Invalid,
+// duplicate and reordered datagrams are only counted.
 // @param time arrival time of the datagram [s], on monotonic_time()
 bool UdpLink::Impl::process_datagram(std::size_t size, double time) noexcept {
   ++counts.received;

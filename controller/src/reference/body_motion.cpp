@@ -163,8 +163,8 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
   return change;
 }
 
-// Compute v / (2 a), the braking distance divided by the present speed. It is half of the time that
-// braking takes. The body comes to rest at relative_pose_ + velocity_ * v / (2 a).
+// Compute v / (2 a), the braking distance divided by the present speed. This time is half of the
+// braking time. The body comes to rest at relative_pose_ + velocity_ * v / (2 a).
 double BodyMotion::half_braking_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);

@@ -12,9 +12,9 @@ namespace surefoot {
 ///
 /// A loaded foot of radius r rotates with its shank. Without slip, its contact point then moves
 /// with velocity r (w x n), where w is the angular velocity of the shank and n the ground normal.
-/// The displacement is about a tenth of the body's displacement. It decays within seconds: if the
-/// robot leans for longer, its present contact points become the reference. It is also bounded,
-/// because w contains the errors of the gyroscope. Real-time: yes.
+/// The displacement is about a tenth of the body's displacement. The displacement decays within
+/// seconds: if the robot leans for longer, its present contact points become the reference. The
+/// displacement is also bounded, because w contains the errors of the gyroscope. Real-time: yes.
 class FootRolling {
  public:
   explicit FootRolling(double radius) noexcept : radius_(radius) {}

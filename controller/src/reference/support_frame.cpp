@@ -116,8 +116,8 @@ void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix&
 // the centroid of the nominal positions, and its x axis along their heading.
 //
 // A common tilt of all feet comes from the IMU or the ground; update_normal() corrects it over
-// time. What remains of this tilt is subtracted here, because otherwise the nominal positions would
-// absorb a part of it.
+// time. The remaining part of this tilt is subtracted here, because otherwise the nominal positions
+// would slowly absorb the tilt.
 void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
                                        const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);

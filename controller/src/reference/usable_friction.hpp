@@ -18,8 +18,8 @@ class UsableFriction {
  public:
   /// Compute the shares of this tick.
   /// @param mass mass of the robot [kg]
-  /// @return share of RobotConfig::friction for each foot, FR FL RR RL, 0 .. 1. It never exceeds
-  ///   state.friction, the share that the estimator allows
+  /// @return share of RobotConfig::friction for each foot, FR FL RR RL, 0 .. 1. The share never
+  ///   exceeds state.friction, the share that the estimator allows
   Eigen::Vector4d update(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass, double dt) noexcept;
   void reset() noexcept { share_ = 1.0; }

@@ -23,8 +23,8 @@ class SilenceDetector {
 
   /// Return whether the robot is silent. Call it in each tick of the loop that has no sample.
   ///
-  /// A stall of this machine also delays a robot that is simulated on it. So silence counts only
-  /// after this process has listened for kMinListeningTime.
+  /// A stall of this machine also delays the samples of a robot that is simulated on this machine.
+  /// So silence counts only after this process has listened for kMinListeningTime.
   /// @param age age of the newest sample [s]
   /// @param elapsed time since the last tick of the loop [s]
   /// @param period period of the loop [s]

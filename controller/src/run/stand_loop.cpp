@@ -169,8 +169,8 @@ void StandLoop::sit_down_and_end() noexcept {
 }
 
 void StandLoop::end(RunReason why) noexcept {
-  // If the robot already damps, the reason for damping is kept. If no robot was found, the reason
-  // is kNoState, even if the end was requested.
+  // If the robot already damps, the reason for damping is kept. If no valid LowState has arrived,
+  // the reason is kNoState, even if the end was requested.
   if (snapshot_.phase == RunPhase::kWaiting && why == RunReason::kRequested)
     why = RunReason::kNoState;
   if (snapshot_.phase != RunPhase::kDamping) snapshot_.reason = why;

@@ -106,7 +106,7 @@ bool FallbackChain::try_forces(const Dynamics& dynamics, const RobotState& state
   return try_torques(torques, state);
 }
 
-// Accept all twelve torques or none, because only some of them would push the robot over.
+// Accept all twelve torques or none, because a part of the torques alone would push the robot over.
 bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state) noexcept {
   const RobotConfig& config = robot_.config();
   Vector12 clipped;

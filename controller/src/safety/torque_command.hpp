@@ -76,7 +76,8 @@ class TorqueCommand {
   Vector12 torque_share_ = Vector12::Ones();  // usable share of each motor's torque limit
   // [N.m.s/rad] Damping of the present command, option motor_damping included.
   double damping_ = 0.0;
-  // Lost leg: final damping [N.m.s/rad], and the share of it that has been reached, 0 .. 1.
+  // Lost leg: final damping [N.m.s/rad], and the share of the final damping that has been reached,
+  // 0 .. 1.
   double lost_damping_ = 0.0, lost_damping_share_ = 0.0;
 };
 

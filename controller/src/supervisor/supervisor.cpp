@@ -12,7 +12,7 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 }
 
 // The range of power_level is that of the SDK. Temperatures have the range of LowState (int8, deg
-// C). The other ranges exclude values that cannot be meant.
+// C). The other ranges exclude values that make no sense.
 void SupervisorOptions::validate() const {
   const auto expect = [](const char* name, double got, double lower, double upper) {
     if (got >= lower && got <= upper) return;

@@ -52,9 +52,9 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     latch(why);
     return command_hold.accept(damping_low_cmd(damping_kd));
   }
-  // Limited torques are a fault only if they come from the StandController and stay limited.
-  // Impedance torques of a slipping leg change as fast as the leg moves, and an impact lasts for
-  // one or two ticks.
+  // Rate-limited torques are a fault only if they come from the StandController and stay limited
+  // for kRateLimitedTime. Impedance torques of a slipping leg change as fast as the leg moves, and
+  // an impact lasts for one or two ticks.
   const bool limited =
       rate_limiter.limit(demand.tau, demand.kd, measured_velocities(state), clock.period());
   log.set(FaultId::kTorqueRate,

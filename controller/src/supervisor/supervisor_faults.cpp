@@ -29,8 +29,8 @@ constexpr double kMaxOutside = 0.03;
 // [m g] With a larger external force no leg is declared lost, because the push will move the
 // capture point further.
 constexpr double kMaxPush = 0.1;
-// Share of missing samples above which kLoss is reported. The rows packet_loss bracket it: 4 % must
-// not be reported, 8 % must be.
+// Share of missing samples above which kLoss is reported. The rows packet_loss of `surefoot faults`
+// bracket the value: 4 % must not be reported, 8 % must be.
 constexpr double kMaxLoss = 0.05;
 
 }  // namespace

@@ -33,7 +33,7 @@ namespace surefoot {
 /// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise has the stages of
 /// RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves damping. In passive and damping
 /// only damping is sent; rise and sit use JointImpedance; stand uses StandController. TorqueFade
-/// blends the torques when the mode changes, except when it changes to damping.
+/// blends the torques when the mode changes, except for a change to damping.
 ///
 /// A tick has five steps:
 ///   1. read_sample() checks the LowState; an unusable LowState is a sample fault.

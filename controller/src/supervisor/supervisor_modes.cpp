@@ -23,8 +23,8 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     motors.reset();
     fade.start(TorqueSource::kImpedance);
   } else if (mode == Mode::kSit && context.mode == Mode::kStand) {
-    // A robot that has sunk and was armed again must not rise first, so it starts at its present
-    // height.
+    // A robot that has sunk and was armed again must not rise first, so the motion starts at the
+    // present height.
     const Vector12& q = impedance.q();
     const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
     motion.start(upright ? 1.0 : plan.nearest(q), q);

@@ -27,7 +27,8 @@ class ActiveConstraints {
   /// definite
   bool start(const QpProblem& problem) noexcept;
 
-  /// Add all equalities A x = b, before any other row. @return false if they depend on each other
+  /// Add all equalities A x = b, before any other row. @return false if the rows of A depend on
+  /// each other
   bool start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept;
 
   /// Project a candidate row side c on the active rows. The residual is the part of the candidate

@@ -51,8 +51,8 @@ class ElasticSolver {
   /// Solution of the last solve, without the slacks.
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
-  /// Return whether the next solve starts with the elastic QP: in one of the last ten solves a
-  /// slack was nonzero, or the elastic QP was not solved accurately.
+  /// Return whether the next solve starts with the elastic QP. True after a solve of the elastic
+  /// QP, until ten consecutive solves had no slack; a failed solve counts as a solve with slack.
   bool elastic_mode() const noexcept { return elastic_mode_; }
   /// Return the QP that was solved last: `problem`, or the elastic QP with its slacks.
   const QpProblem& solved_problem(const QpProblem& problem) const noexcept {

@@ -10,9 +10,9 @@ namespace surefoot {
 namespace {
 constexpr int kForces = QpLayout::kForces;
 constexpr int kEqualities = 6 + kForces;
-// The squared equality rows are added to the cost with this weight, so that H is positive definite.
-// They are zero at the solution, so any positive weight gives the same solution. Chosen: 1, the
-// size of the other rows.
+// The squared residuals of the equality rows are added to the cost with this weight, so that H is
+// positive definite. The residuals are zero at the solution, so any positive weight gives the same
+// solution. Chosen: 1, the size of the other rows.
 constexpr double kEqualityWeight = 1.0;
 }  // namespace
 

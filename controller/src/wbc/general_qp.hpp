@@ -15,12 +15,10 @@ namespace surefoot {
 ///   equalities: the six equations of motion of the base; the foot accelerations
 ///   torques:    tau = M_j a + h_j - J_j' f, bounded by inequality rows
 /// If a leg is nearly singular, its foot acceleration is a task in the cost instead of an equality
-/// (FormSelector).
-/// The tasks and limits are the same as in CondensedQp. Where both forms are valid, their solutions
-/// agree.
-/// The cost also contains a multiple of the squared equality rows, so that H is positive definite.
-/// This part is zero where the equalities hold, so it does not change the solution.
-/// Real-time: build() and read_solution() yes.
+/// (FormSelector). The tasks and limits are the same as in CondensedQp. Where both forms are valid,
+/// their solutions agree. The cost also contains the squared residuals of the equality rows, so
+/// that H is positive definite. This part is zero where the equalities hold, so it does not change
+/// the solution. Real-time: build() and read_solution() yes.
 class GeneralQp {
  public:
   GeneralQp(int nv, const JointTable& joints, const QpUnits& units);

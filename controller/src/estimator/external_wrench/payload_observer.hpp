@@ -7,7 +7,7 @@
 namespace surefoot {
 
 /// Observer of the sustained external wrench, which comes from a payload, a mass error of the
-/// model, or an object on which the robot leans.
+/// model, or a steady push.
 ///
 /// Contact forces f at p, gravity and the external wrench (F, N) change the linear and angular
 /// momentum:

@@ -40,9 +40,9 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
 
 // Compute the time constant as a share of push_time. If the actual delay exceeds
 // StandOptions::delay, the body can sway, with persistent large innovations. A shortened time
-// constant would sustain this oscillation, so it is used for at most kMaxInnovationTime. While the
-// robot is lifted, the time constant is not shortened at all, because the feet cannot exert the
-// planned forces.
+// constant would sustain this oscillation. So the time constant is shortened for at most
+// kMaxInnovationTime. While the robot is lifted, the time constant is not shortened at all, because
+// the feet cannot exert the planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,
                                 double dt) noexcept {
   const double excess = innovation_norm - kNoiseLevel * gains.push_dead_band;

@@ -22,7 +22,7 @@ constexpr double kNoiseOnlyChange = 18.0;
 constexpr double kMeanUncertainty = 0.25;
 // [rad/s] Standard deviations of a rate from the IMU quaternion, and of a rate from the legs.
 // Chosen. Both are larger than noise_gyroscope (0.01), because these rates replace the gyroscope
-// only when it fails. The second one is larger because feet slip. Test:
+// only when it fails. kLegRateNoise is larger, because feet slip. Test:
 // frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates.
 constexpr double kQuaternionRateNoise = 0.05;
 constexpr double kLegRateNoise = 0.2;
@@ -131,8 +131,9 @@ void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& 
                                   bool quaternion_changed, ImuInput& out) const noexcept {
   Vector3 w = Vector3::Zero();
   double sigma = kUnmeasuredRateNoise;
-  // The robot may update the quaternion less often than it sends samples. The filter has already
-  // applied rotation_since_last_ since the last update, so this rotation is subtracted.
+  // The robot may update the quaternion less often than it sends samples. Since the last update of
+  // the quaternion, the filter has already applied rotation_since_last_, so this rotation is
+  // subtracted.
   if (quaternion_changed)
     w = log_so3(rotation_since_last_.conjugate() * last_quaternion_.conjugate() *
                 imu.R_world_base) /

@@ -121,7 +121,7 @@ void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
   const double share = started_ ? -std::expm1(-step / kImuFilterTime) : 1.0;
   started_ = true;
   const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
-  // Restart the low-pass after a NaN, because it would keep the NaN for ever.
+  // Restart the low-pass after a NaN; otherwise its output would stay NaN for ever.
   const bool finite = gyro.allFinite() && accelerometer.allFinite();
   gyro_ = finite && gyro_.allFinite() ? Vector3(gyro_ + share * (gyro - gyro_)) : gyro;
   accelerometer_ = finite && accelerometer_.allFinite()

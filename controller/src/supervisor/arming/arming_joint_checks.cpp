@@ -40,11 +40,11 @@ void ArmingChecks::check_joints(const LowState& state) noexcept {
   at(ArmingCheckId::kJoints) = worst;
 }
 
-// Find a motor whose angle is outside its own range by more than joint_margin allows. It is swapped
-// with another motor of its leg if the angle of each motor fits the range of the other motor,
-// within the same tolerance. The check can only distinguish motors with different ranges, for
-// example calves from thighs. If there is no such partner, the check fails for a distance of
-// kSwapMargin or more.
+// Find a motor whose angle is outside its own range by more than joint_margin allows. This motor
+// and another motor of its leg are reported as swapped if the angle of each motor fits the range of
+// the other motor, within the same tolerance. The check can only distinguish motors with different
+// ranges, for example calves from thighs. If no motor of the leg fits, the check fails only if the
+// angle is outside its own range by kSwapMargin or more.
 void ArmingChecks::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {

@@ -8,8 +8,8 @@ namespace surefoot {
 /// Measures how much a signal alternates from one sample to the next.
 ///
 /// The measure is the running mean of -d[k] d[k-1], where d[k] is the change of the signal at
-/// sample k. It is positive for an alternating signal, equal to the variance for white noise,
-/// negative for a smooth signal, and zero for isolated steps. Real-time: yes.
+/// sample k. The measure is positive for an alternating signal, equal to the variance for white
+/// noise, negative for a smooth signal, and zero for isolated steps. Real-time: yes.
 class Alternation {
  public:
   /// Add a sample.

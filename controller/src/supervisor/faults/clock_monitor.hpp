@@ -9,7 +9,8 @@
 
 namespace surefoot {
 
-/// Detects a robot clock (LowState::tick) that runs too fast, by comparing it with the joints.
+/// Detects a robot clock (LowState::tick) that runs too fast, by comparing the clock with the
+/// motion of the joints.
 ///
 /// For each joint and window, ratio = (change of q) / (sum of dq times the step of the tick). This
 /// ratio is the true time divided by the time that the tick counts. The clock is too fast if most

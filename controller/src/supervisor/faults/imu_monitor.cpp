@@ -17,7 +17,7 @@ namespace {
 // [rad] Angle between attitude and integrated gyroscope above which the attitude has jumped.
 // Smaller than the jump of 10 degrees (0.17 rad) in the row attitude_jump.
 constexpr double kMaxAttitudeJump = 0.1;
-// [s] Largest delay of the attitude that passes. It is multiplied by the rate and added to
+// [s] Largest delay of the attitude that passes. The product of this delay and the rate is added to
 // kMaxAttitudeJump.
 constexpr double kAttitudeDelay = 0.02;
 // [s] Any attitude is accepted after attitudes have been rejected for this time.

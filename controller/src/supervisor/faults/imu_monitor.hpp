@@ -21,11 +21,12 @@ class ImuMonitor {
   /// @param may_turn_fast true if the body may turn fast for longer than a push lasts; the
   ///   tolerance then also covers an error of the gyroscope's scale
   void update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept;
-  /// Return whether the rates of the last sample are usable. They are not if they have changed more
-  /// since the previous sample than the rates of a body can.
+  /// Return whether the rates of the last sample are usable. They are not usable if they have
+  /// changed by kMaxRateJump or more since the previous sample, which is more than the rates of a
+  /// body can change.
   bool rates_plausible() const noexcept { return rates_plausible_; }
-  /// Return whether the attitude of the last sample is usable. It is not if its norm is not 1, or
-  /// if it has jumped away from the integrated gyroscope.
+  /// Return whether the attitude of the last sample is usable. It is not usable if the norm of the
+  /// quaternion is not 1, or if the attitude has jumped away from the integrated gyroscope.
   bool attitude_plausible() const noexcept { return attitude_plausible_; }
   /// Return whether the gyroscope has, for 50 ms, repeated its values, been clipped, or
   /// contradicted the attitude.

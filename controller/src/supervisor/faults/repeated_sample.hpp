@@ -31,8 +31,8 @@ class RepeatedSample {
   /// Return whether the values of the last sample are too old to act upon. The 1e-9 s allow for
   /// rounding.
   bool too_old() const noexcept { return repeat_time_ >= kMaxAge - 1e-9; }
-  /// Return whether the sensors have stopped: the values have repeated for longer than a robot at
-  /// 50 Hz repeats them, which is the lowest measurement rate of a robot.
+  /// Return whether the sensors have stopped: the values have repeated for longer than on a robot
+  /// that measures at 50 Hz, the lowest measurement rate of all robots.
   bool stopped() const noexcept { return repeat_time_ >= kStopped; }
   /// Return whether the last sample had the same values as the sample before it.
   bool repeats() const noexcept { return repeat_time_ > 0.0; }

@@ -29,7 +29,7 @@ class TorqueRateLimiter {
   static constexpr double kMaxPeriod = 0.002;
 
   /// Limit the change of the torques since the last command.
-  /// @param tau [N.m] in: desired; out: limited. It stays within +-tau_max if it was within before
+  /// @param tau [N.m] in: desired; out: limited. The output is within +-tau_max if the input is
   /// @param kd damping that is sent with tau [N.m.s/rad]
   /// @param dq joint velocities [rad/s]
   /// @param period time between commands [s]
@@ -69,8 +69,8 @@ class TorqueRateLimiter {
   static Vector12 unknown() noexcept { return Vector12::Constant(NAN); }
 
   /// Return the velocities, with each outlier replaced by the last velocity of its joint. An
-  /// outlier differs by more than kMaxSpeedStep from both of the last two velocities. It is a
-  /// sensor error, and would cause a torque jump while damping fades.
+  /// outlier differs by more than kMaxSpeedStep from both of the last two velocities. An outlier is
+  /// a sensor error, and would cause a torque jump while damping fades.
   Vector12 plausible_speeds(const Vector12& dq) const noexcept {
     Vector12 out = dq;
     for (int i = 0; i < kMotors; ++i) {

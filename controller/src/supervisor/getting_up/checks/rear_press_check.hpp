@@ -9,9 +9,10 @@ namespace surefoot {
 /// Rear press check: when the rear legs of a lying robot press on the ground, the front of the body
 /// must go down.
 ///
-/// If front and rear leg of one side are swapped, only the motion of the body shows it. So, before
-/// the body leaves the ground, only the two rear legs extend along the path of the rise. They stop
-/// at s = kMaxExtension, or when the front of the body has gone down by kMinNoseDown.
+/// If front and rear leg of one side are swapped, only the motion of the body reveals this. So,
+/// before the body leaves the ground, only the two rear legs extend along the path of the rise. The
+/// rear legs stop at s = kMaxExtension, or when the front of the body has gone down by
+/// kMinNoseDown.
 ///
 /// If the two pressing legs really are a diagonal pair, they also roll the body and carry all of
 /// its weight; a true rear pair shares the weight with the front of the body. So the press fails if
