@@ -87,7 +87,7 @@ BOOST_FIXTURE_TEST_CASE(only_unloaded_feet_are_released_and_only_near_the_edge, 
       release_unloaded_legs(joints, fade, {1.0, 1.0, bears, 1.0}, reference, limits);
       for (int k = 0; k < kMotors; ++k) {
         const double more = k / 3 == RR_ ? 1e4 * (1.0 - fade) * (1.0 - bears) : 0.0;
-        BOOST_TEST(std::abs(limits.a_released[k] - more) < 1e-9);
+        BOOST_TEST(std::abs(limits.a_widening[k] - more) < 1e-9);
       }
     }
   }
@@ -101,7 +101,7 @@ BOOST_FIXTURE_TEST_CASE(swing_and_lightly_loaded_feet_are_released_too, Stretche
   release_unloaded_legs(joints, 0.0, Eigen::Vector4d::Ones(), reference, limits);
   for (int k = 0; k < kMotors; ++k) {
     const double more = k / 3 == FL_ ? 1e4 : k / 3 == RL_ ? 7.5e3 : 0.0;
-    BOOST_TEST(std::abs(limits.a_released[k] - more) < 1e-9);
+    BOOST_TEST(std::abs(limits.a_widening[k] - more) < 1e-9);
   }
 }
 

@@ -31,7 +31,7 @@ struct Gains {
   // Joints: posture task, and approach to the joint limits.
   double posture_kp = 100.0;  ///< [1/s^2] stiffness of the posture task
   double posture_kd = 20.0;   ///< [1/s] damping of the posture task
-  /// [1/s] Greatest speed of a joint towards its limit, per distance left.
+  /// [1/s] Greatest speed of a joint towards its limit, divided by the distance left.
   double joint_limit_rate = 30.0;
   double joint_limit_margin = 0.02;  ///< [rad] distance kept from the position limits
   // QP: weights of tasks, penalties of elastic constraints, bounds on the contact forces.

@@ -26,9 +26,9 @@ struct StandOptions {
   /// 0 if the real delay is at most a few ticks. In simulation no robot stood with a delay above
   /// 0.03 s.
   ///
-  /// At 0 nothing is predicted, and the estimator compares the sample of tick k with the command of
-  /// tick k - 3, which acted while the sample was measured: over the SDK's link, commands and
-  /// samples each take one period.
+  /// At 0 nothing is predicted. The estimator then assumes that commands and samples each take one
+  /// period over the SDK's link. So it compares the sample of tick k, measured at tick k - 1, with
+  /// the command of tick k - 3, which acted from tick k - 2 to tick k - 1.
   double delay = 0.0;
   QpForm form = QpForm::kAuto;  ///< form of the whole-body QP
   /// [W] Largest power of a command, sum |tau dq| with the motors' damping included, at the joint

@@ -19,7 +19,7 @@ constexpr double kRestTolerance = 0.1;
 // [rad] Tilt difference below which quaternion and accelerometer agree, 3 deg. Chosen larger than
 // 0.6 deg, the tilt error that a bias of 0.1 m/s^2 causes, and smaller than the 5 deg of
 // QuaternionTiltCheck.
-constexpr double kMaxTiltDifference = 0.05;
+constexpr double kAgreementTilt = 0.05;
 // [rad] The filter estimates biases once the standard deviation of the tilt is below this value,
 // 2 deg. Chosen smaller than kMinTiltSigma, so that alignment always takes place, and larger than
 // 0.6 deg, the tilt error that an unobservable accelerometer bias causes.
@@ -55,7 +55,7 @@ bool measures_gravity(const Vector3& f_base) noexcept {
 bool accelerometer_matches_quaternion(const ImuReading& imu) noexcept {
   return imu.has_quaternion && imu.accelerometer == SensorVerdict::kGood &&
          measures_gravity(imu.f_base) &&
-         tilt_between(imu.f_base, imu.R_world_base) < kMaxTiltDifference;
+         tilt_between(imu.f_base, imu.R_world_base) < kAgreementTilt;
 }
 
 StateEstimator::Impl::Impl(const Robot& r)

@@ -55,9 +55,9 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   three_leg_stance_.update(support_.nominal_feet(), motion_.p_com(), dt);
   update_airborne_share(contact, dt);
   Vector3 p_base = motion_.p_base();
-  // In the air, extend the legs, so that the joints have more range to brake a landing. A greater
-  // height of the base above the support frame places the frame lower, and with it the desired
-  // feet.
+  // In the air, extend the legs, so that the joints have more range to brake a landing. With a
+  // greater height of the base above the support frame, follow_body() places the support frame
+  // lower, and the desired feet move with the frame.
   p_base.z() *= 1.0 + kAirborneExtension;
   support_.follow_body(dynamics.p_world_base(), p_base, airborne_share_);
 

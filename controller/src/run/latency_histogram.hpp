@@ -12,8 +12,8 @@ class LatencyHistogram {
   void add(double microseconds) noexcept;
 
   std::uint64_t count() const noexcept { return count_; }
-  /// Return the quantile for `share`, 0 .. 1, as the upper edge of its bin [us]. Return 0 if there
-  /// are no durations.
+  /// Return the quantile for `share`, 0 .. 1, as the upper edge of its bin [us], but at most
+  /// greatest(). Return 0 if there are no durations.
   double quantile(double share) const noexcept;
   /// Return the largest duration [us], not rounded to a bin.
   double greatest() const noexcept { return greatest_; }

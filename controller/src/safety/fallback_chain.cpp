@@ -47,9 +47,9 @@ FeetWrench wrench_of(const Dynamics& dynamics, const FeetMatrix& forces) noexcep
 FeetMatrix add_wrench(const Dynamics& dynamics, const FeetMatrix& forces,
                       const FeetWrench& wrench_change, const Eigen::Vector4d& share,
                       const ForceCones& cones) noexcept {
-  const FeetWrench before = wrench_of(dynamics, forces);
-  const FeetWrench desired{before.force + wrench_change.force,
-                           before.moment + wrench_change.moment};
+  const FeetWrench initial_wrench = wrench_of(dynamics, forces);
+  const FeetWrench desired{initial_wrench.force + wrench_change.force,
+                           initial_wrench.moment + wrench_change.moment};
   FeetMatrix out = forces;
   for (int k = 0; k < kShareIterations; ++k) {
     const FeetWrench current = wrench_of(dynamics, out);

@@ -10,7 +10,8 @@ struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
   double scale = 1.0;                   ///< the factor s; 1: desired torques, 0: holding torques
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
-  bool limit_exceeded = false;          ///< true if the power exceeds the limit for every s
+  /// True if the power exceeds the limit for every s, or if a number is not finite.
+  bool limit_exceeded = false;
 };
 
 /// Compute the power of the motors [W], sum |(tau - damping dq) dq|. tau and dq: shape (12,).

@@ -36,17 +36,17 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   fade.advance(dt);
   MotorDemand demand = demand_of(fade.to(), state);
   if (fade.active()) {
-    const MotorDemand before = demand_of(fade.from(), state);
+    const MotorDemand from_demand = demand_of(fade.from(), state);
     const double w = fade.weight();
-    demand.tau = (1.0 - w) * before.tau + w * demand.tau;
-    demand.kd = (1.0 - w) * before.kd + w * demand.kd;
+    demand.tau = (1.0 - w) * from_demand.tau + w * demand.tau;
+    demand.kd = (1.0 - w) * from_demand.kd + w * demand.kd;
   }
   // A StandController that has had no solution since its reset has no command to hold, and never
   // latches damping by itself. So this time is measured here.
   const bool uses_controller = fade.uses(TorqueSource::kController);
-  const bool idle = unsolved.update(
+  const bool controller_idle = unsolved.update(
       uses_controller && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
-  if (idle || (uses_controller && stand.status() == Status::kDamping)) {
+  if (controller_idle || (uses_controller && stand.status() == Status::kDamping)) {
     const FaultId why = stand.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
     log.set(why, true);
     latch(why);

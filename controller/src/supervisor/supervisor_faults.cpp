@@ -15,7 +15,7 @@ namespace {
 // body_tilt of `surefoot faults`.
 constexpr double kFallTilt = 0.7;
 // [rad] Tilt above which a lying body has fallen. Larger than the 0.74 of RolloverMonitor.
-constexpr double kRollTilt = 0.8;
+constexpr double kLyingFallTilt = 0.8;
 // [s] Time over which the tilt is predicted. If shorter: falls are detected later. If longer:
 // pushes, which end by themselves, cause a fault.
 constexpr double kTiltPrediction = 0.1;
@@ -103,7 +103,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // A standing robot has the attitude of the StandController's estimator, and the gain fall_tilt is
   // its limit.
   Quaternion R = impedance.R_world_base();
-  double max_tilt = is_raising_body() ? kFallTilt : kRollTilt;
+  double max_tilt = is_raising_body() ? kFallTilt : kLyingFallTilt;
   if (is_standing()) {
     R = Quaternion(stand.state().q.segment<4>(3).data());
     max_tilt = stand.gains().fall_tilt;
@@ -120,9 +120,9 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // The tilt of a lying body is not predicted, because the body may roll off a leg. A tilt below
   // half of the limit is not predicted either, because pushes turn a level body fast but end by
   // themselves.
-  const double ahead = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
+  const double prediction_time = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
   log.set(FaultId::kTilt,
-          tilt > max_tilt || (tilt > 0.5 * max_tilt && tilt + ahead * rate > max_tilt));
+          tilt > max_tilt || (tilt > 0.5 * max_tilt && tilt + prediction_time * rate > max_tilt));
 }
 
 void Supervisor::Impl::react() noexcept {

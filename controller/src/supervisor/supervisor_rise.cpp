@@ -12,7 +12,7 @@ namespace {
 // The constants are chosen by hand.
 // Smallest path parameter s from which a rise may start without folding. On level ground the feet
 // are below the body from this s on.
-constexpr double kMinHeight = 0.2;
+constexpr double kMinStartPosition = 0.2;
 // [rad] 20 degrees: largest distance of a joint from the path for such a start.
 constexpr double kPathTolerance = 0.35;
 // Share of the weight on the legs below which the robot hangs. Between hanging legs (0) and a robot
@@ -24,14 +24,14 @@ bool any(const std::array<bool, kLegs>& legs) noexcept {
 }
 }  // namespace
 
-// Start a rise. If the joints are near the planned path at s > kMinHeight, the robot continues from
-// there. Otherwise it folds its legs first.
+// Start a rise. If the joints are near the planned path at s > kMinStartPosition, the robot
+// continues from there. Otherwise it folds its legs first.
 void Supervisor::Impl::start_rise() noexcept {
   const Vector12& q = impedance.q();
   const double s = plan.nearest(q);
   const bool near_path = (q - plan.joints_at(s)).cwiseAbs().maxCoeff() < kPathTolerance;
   rise_abandoned = false;
-  if (s > kMinHeight && near_path && impedance.can_hold()) {
+  if (s > kMinStartPosition && near_path && impedance.can_hold()) {
     stage = RiseStage::kUp;
     motion.start(s, q);
     motion.go_to(1.0);

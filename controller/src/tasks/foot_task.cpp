@@ -17,8 +17,8 @@ constexpr double kMinDamping = 1.0;
 Vector3 stiffness_acceleration(const Gains& gains, const Vector3& offset) noexcept {
   const Vector3 stiffness_term = gains.foot_kp * offset;
   const double max_norm = std::max(gains.foot_kd, kMinDamping) * gains.foot_speed;
-  const double size = stiffness_term.norm();
-  return size > max_norm ? Vector3(max_norm / size * stiffness_term) : stiffness_term;
+  const double norm = stiffness_term.norm();
+  return norm > max_norm ? Vector3(max_norm / norm * stiffness_term) : stiffness_term;
 }
 
 }  // namespace

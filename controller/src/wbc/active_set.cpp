@@ -28,7 +28,7 @@ double bound_of(const QpProblem& problem, int row, double side) noexcept {
 ActiveSet::ActiveSet(int n, int n_eq, int n_in, int max_changes)
     : n_eq_(n_eq),
       max_changes_(max_changes),
-      rows_(n, n_eq),
+      active_(n, n_eq),
       x_(Eigen::VectorXd::Zero(n)),
       Cx_(Eigen::VectorXd::Zero(n_in)) {}
 
@@ -44,24 +44,24 @@ ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, 
     if (added != Outcome::kSolved) return added;
   }
   x = x_;
-  y = rows_.multipliers().head(n_eq_);
+  y = active_.multipliers().head(n_eq_);
   z.setZero();
-  for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
-    z[rows_.row(k)] = rows_.side(k) * rows_.multiplier(k);
+  for (Eigen::Index k = n_eq_; k < active_.count(); ++k) {
+    z[active_.row(k)] = active_.side(k) * active_.multiplier(k);
   }
   return Outcome::kSolved;
 }
 
 bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept {
-  if (!rows_.start(problem)) return false;
-  if (!rows_.start_equalities(problem.A, problem.b)) return false;
+  if (!active_.start(problem)) return false;
+  if (!active_.start_equalities(problem.A, problem.b)) return false;
   for (int row = 0; row < z.size(); ++row) {
     if (z[row] == 0.0) continue;
     const double side = z[row] > 0.0 ? 1.0 : -1.0;
     const double bound = bound_of(problem, row, side);
     if (!(std::abs(bound) < kNoBound)) continue;
-    rows_.project(problem.C.row(row), side);
-    rows_.append(row, side, bound, 0.0);  // append() skips rows that depend on earlier ones
+    active_.project(problem.C.row(row), side);
+    active_.append(row, side, bound, 0.0);  // append() skips rows that depend on earlier ones
   }
   return true;
 }
@@ -69,17 +69,17 @@ bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexce
 // The dual method must start from an active set without negative multipliers.
 bool ActiveSet::drop_negative_multipliers() noexcept {
   for (;;) {
-    rows_.solve_multipliers();
+    active_.solve_multipliers();
     Eigen::Index worst = -1;
     double smallest = 0.0;
-    for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
-      if (rows_.multiplier(k) >= smallest) continue;
-      smallest = rows_.multiplier(k);
+    for (Eigen::Index k = n_eq_; k < active_.count(); ++k) {
+      if (active_.multiplier(k) >= smallest) continue;
+      smallest = active_.multiplier(k);
       worst = k;
     }
     if (worst < 0) return true;
     if (changes_ == max_changes_) return false;
-    rows_.remove(worst);
+    active_.remove(worst);
     ++changes_;
   }
 }
@@ -87,9 +87,9 @@ bool ActiveSet::drop_negative_multipliers() noexcept {
 // Return the most violated constraint. The entries of Cx for active rows are set to their bounds: a
 // rounding error there is no violation, but would make the method exchange rows.
 ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double tolerance) noexcept {
-  x_ = rows_.solve_x();
+  x_ = active_.solve_x();
   Cx_.noalias() = problem.C * x_;
-  for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) Cx_[rows_.row(k)] = rows_.value(k);
+  for (Eigen::Index k = n_eq_; k < active_.count(); ++k) Cx_[active_.row(k)] = active_.value(k);
   Violation found;
   found.amount = tolerance;
   for (int row = 0; row < Cx_.size(); ++row) {
@@ -111,25 +111,26 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
   for (;;) {
     if (changes_ == max_changes_) return Outcome::kGaveUp;
     ++changes_;
-    rows_.project(problem.C.row(row), side);
-    const bool dependent = rows_.is_dependent();
-    double length = dependent ? kInfinite : remaining / rows_.squared_residual();
+    active_.project(problem.C.row(row), side);
+    const bool dependent = active_.is_dependent();
+    double length = dependent ? kInfinite : remaining / active_.squared_residual();
     Eigen::Index blocking = -1;
-    for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
-      if (rows_.dual_direction(k) <= 0.0 || rows_.dual_direction(k) * length <= rows_.multiplier(k))
+    for (Eigen::Index k = n_eq_; k < active_.count(); ++k) {
+      if (active_.dual_direction(k) <= 0.0 ||
+          active_.dual_direction(k) * length <= active_.multiplier(k))
         continue;
-      length = rows_.multiplier(k) / rows_.dual_direction(k);
+      length = active_.multiplier(k) / active_.dual_direction(k);
       blocking = k;
     }
     if (!(length < kInfinite)) return judge_infeasibility(remaining);
-    rows_.step(length);
+    active_.step(length);
     multiplier += length;
     if (blocking < 0) {
-      const bool appended = rows_.append(row, side, bound_of(problem, row, side), multiplier);
+      const bool appended = active_.append(row, side, bound_of(problem, row, side), multiplier);
       return appended ? Outcome::kSolved : Outcome::kGaveUp;
     }
-    if (!dependent) remaining -= length * rows_.squared_residual();
-    rows_.remove(blocking);
+    if (!dependent) remaining -= length * active_.squared_residual();
+    active_.remove(blocking);
   }
 }
 
@@ -137,7 +138,7 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
 // constraint and the active constraints contradict each other. If the row is only nearly dependent,
 // a distant point may satisfy all of them. The outcome is then kGaveUp, and ProxQP has to decide.
 ActiveSet::Outcome ActiveSet::judge_infeasibility(double remaining) noexcept {
-  const bool certain = remaining > kMaxDistance * rows_.residual_norm();
+  const bool certain = remaining > kMaxDistance * active_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;
 }
 

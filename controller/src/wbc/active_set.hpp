@@ -54,7 +54,7 @@ class ActiveSet {
 
   Eigen::Index n_eq_;
   int max_changes_;
-  ActiveConstraints rows_;  // the active set; equalities come first and are never removed
+  ActiveConstraints active_;  // the active set; equalities come first and are never removed
   Eigen::VectorXd x_, Cx_;
   int changes_ = 0;
 };

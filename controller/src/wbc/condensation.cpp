@@ -13,7 +13,7 @@ bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
   const StageScope stage(Stage::kCondense);
   Matrix6 A = dynamics.M_base();
   Vector6 r = dynamics.h_base() - external_wrench;
-  Matrix6x12 base_from_force;
+  Matrix6x12 base_wrench_from_force;
 
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
@@ -25,13 +25,13 @@ bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
     const Vector3 w = inverse * (feet_acceleration.col(leg) - L.drift);
     A.noalias() += L.M_base_leg * W;
     r.noalias() += L.M_base_leg * w;
-    base_from_force.middleCols<3>(3 * leg) = L.J_base.transpose();
+    base_wrench_from_force.middleCols<3>(3 * leg) = L.J_base.transpose();
     out.W.middleRows<3>(3 * leg) = W;
     out.w.segment<3>(3 * leg) = w;
   }
 
   const Eigen::PartialPivLU<Matrix6> lu(A);
-  out.B = lu.solve(base_from_force);
+  out.B = lu.solve(base_wrench_from_force);
   out.c = -lu.solve(r);
 
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -91,9 +91,9 @@ void CondensedQp::write_joint_rows(const QpTerms& terms) noexcept {
   const int acceleration = layout_.acceleration();
   problem_.C.block<kMotors, kForces>(acceleration, 0) = (unit * units_.force) * joint_from_force_;
   problem_.l.segment<kMotors>(acceleration) =
-      unit * (limits.a_lower - limits.a_released - joint_bias_);
+      unit * (limits.a_lower - limits.a_widening - joint_bias_);
   problem_.u.segment<kMotors>(acceleration) =
-      unit * (limits.a_upper + limits.a_released - joint_bias_);
+      unit * (limits.a_upper + limits.a_widening - joint_bias_);
 }
 
 void CondensedQp::read_solution(const Eigen::VectorXd& x, Vector12& forces,

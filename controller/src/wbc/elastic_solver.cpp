@@ -145,8 +145,8 @@ QpResult ElasticSolver::solve_elastic(int budget) noexcept {
   x_ = elastic_solver_.x().head(n_);
   slack_ = elastic_solver_.x().tail(rows_.groups);
   // A failed solve counts as a solve with slack, so the elastic mode continues.
-  const bool has_slack = slack_.maxCoeff() > kMinSlack || result.status != Status::kOk;
-  ticks_without_slack_ = has_slack ? 0 : ticks_without_slack_ + 1;
+  const bool slack_or_failed = slack_.maxCoeff() > kMinSlack || result.status != Status::kOk;
+  ticks_without_slack_ = slack_or_failed ? 0 : ticks_without_slack_ + 1;
   elastic_mode_ = ticks_without_slack_ < kTicksWithoutSlack;
   return result;
 }

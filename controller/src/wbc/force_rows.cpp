@@ -22,7 +22,7 @@ void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& o
       l[kFacets] = 0.0;
       u[kFacets] = terms.normal_max[leg] / unit;
     } else {
-      // No contact force: three rows f = 0. A friction cone of height zero would not do: all its
+      // No contact force: three rows f = 0. A friction cone of height zero is not used: all its
       // facets would meet in one point, where the multipliers are not unique and the solver is
       // slow.
       C.setZero();

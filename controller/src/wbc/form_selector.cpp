@@ -14,11 +14,11 @@ namespace {
 //
 // [m] Depth below which a regular leg becomes singular. Less than 0.07 m, the smallest depth of a
 // pose that BodyReference may request (gain reach_foot_depth).
-constexpr double kSmallestDepth = 0.05;
+constexpr double kSingularDepth = 0.05;
 constexpr double kRegularDepth = 0.06;  // [m] depth above which a singular leg becomes regular
 // Determinant above which a singular leg becomes regular.
 constexpr double kRegularDeterminant = 1.2;
-// The softness rises from 0 to 1 while the depth falls by kSoftDepth below kSmallestDepth, or while
+// The softness rises from 0 to 1 while the depth falls by kSoftDepth below kSingularDepth, or while
 // the determinant falls by kSoftDeterminant below 1. These ranges are wide enough that the torques
 // do not jump, and they end before the singularity itself.
 constexpr double kSoftDepth = 0.02;  // [m]
@@ -31,11 +31,11 @@ QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference
     const LegDynamics& L = dynamics.legs()[leg];
     const double determinant = std::abs(L.J_leg.determinant()) / smallest_determinant_;
     const bool depth_is_regular =
-        L.depth > (singular_[leg] ? kRegularDepth : kSmallestDepth) || !reference.feet[leg].stance;
+        L.depth > (singular_[leg] ? kRegularDepth : kSingularDepth) || !reference.feet[leg].stance;
     singular_[leg] =
         !depth_is_regular || determinant < (singular_[leg] ? kRegularDeterminant : 1.0);
     const double depth_softness =
-        reference.feet[leg].stance ? (kSmallestDepth - L.depth) / kSoftDepth : 0.0;
+        reference.feet[leg].stance ? (kSingularDepth - L.depth) / kSoftDepth : 0.0;
     const double leg_softness = std::max(depth_softness, (1.0 - determinant) / kSoftDeterminant);
     softness_[leg] = std::clamp(leg_softness, 0.0, 1.0);
   }

@@ -26,8 +26,8 @@ const Directions kDirections;
 ConeRows friction_cone(const Vector3& normal, double friction) noexcept {
   const Vector3 lateral = normal.cross(Vector3::UnitX()).normalized();
   const Vector3 forward = lateral.cross(normal);
-  // The facets are chords of the friction circle, so the edges of the pyramid touch the cone from
-  // inside.
+  // Seen along the normal, the facets are chords of the friction circle. So the edges of the
+  // pyramid touch the cone from inside.
   const Vector3 inward = friction * std::cos(M_PI / kFacets) * normal;
   ConeRows rows;
   for (int k = 0; k < kFacets; ++k) {

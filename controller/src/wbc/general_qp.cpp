@@ -76,8 +76,8 @@ void GeneralQp::write_joint_rows(const QpTerms& terms) noexcept {
     u[torque] = inverse * (limits.tau_upper[k] - full_.h[v]);
     const int acceleration = layout_.acceleration() + k;
     C(acceleration, v) = 1.0;
-    l[acceleration] = (limits.a_lower[k] - limits.a_released[k]) / units_.angular;
-    u[acceleration] = (limits.a_upper[k] + limits.a_released[k]) / units_.angular;
+    l[acceleration] = (limits.a_lower[k] - limits.a_widening[k]) / units_.angular;
+    u[acceleration] = (limits.a_upper[k] + limits.a_widening[k]) / units_.angular;
   }
 }
 

@@ -11,11 +11,10 @@ namespace surefoot {
 /// on it:
 ///   hold_down * weight * fade * planned load * contact confidence   [N], FR FL RR RL
 ///
-/// Hold-down is an elastic constraint. It keeps feet from sliding and lifting. But with a minimum
-/// force on every foot, the centre of pressure cannot reach the support edge, and the QP cannot
-/// brake as hard as possible. So the hold-down fades to zero as the capture point approaches the
-/// edge.
-/// Real-time: yes.
+/// Hold-down is an elastic constraint. Hold-down keeps feet from sliding and lifting. But with a
+/// minimum force on every foot, the centre of pressure cannot reach the support edge, and the QP
+/// cannot brake as hard as possible. So the hold-down fades to zero as the capture point approaches
+/// the edge. Real-time: yes.
 /// @param weight weight of the robot [N]
 /// @param fade result of edge_fade(), 0 .. 1
 /// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL

@@ -31,7 +31,7 @@ void joint_limits(const RobotConfig& config, const JointTable& joints, const Gai
     if (lower > upper) lower = upper = 0.5 * (lower + upper);
     out.a_lower[k] = lower;
     out.a_upper[k] = upper;
-    out.a_released[k] = 0.0;
+    out.a_widening[k] = 0.0;
   }
 }
 

@@ -99,7 +99,7 @@ QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
     if (result.status == Status::kOk) break;
     if (outcome.infeasible) result.status = Status::kInfeasible;
     if (spent >= attempt_factor_ * budget) break;
-    drop_slack_multipliers(problem);
+    drop_inactive_multipliers(problem);
   }
   result.iterations = spent;
   has_solution_ = result.status == Status::kOk;
@@ -115,7 +115,7 @@ void QpSolver::clear_solution() noexcept {
 
 // A nonzero multiplier on a row away from its bound shows that the solution is not optimal yet. Set
 // such multipliers to zero before the next attempt.
-void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
+void QpSolver::drop_inactive_multipliers(const QpProblem& problem) noexcept {
   Eigen::VectorXd& z = workspace_->proxqp.z();
   const Eigen::VectorXd& Cx = workspace_->check.Cx();
   for (Eigen::Index i = 0; i < z.size(); ++i) {

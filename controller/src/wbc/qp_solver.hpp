@@ -70,7 +70,7 @@ class QpSolver {
   QpResult try_active_set(const QpProblem& problem) noexcept;
   QpResult run_proxqp(const QpProblem& problem, int budget) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
-  void drop_slack_multipliers(const QpProblem& problem) noexcept;
+  void drop_inactive_multipliers(const QpProblem& problem) noexcept;
   void clear_solution() noexcept;
   std::unique_ptr<Workspace> workspace_;
   double tolerance_;

@@ -19,7 +19,7 @@ namespace {
 // accelerations become large. Chosen: at this share they are about ten times those of the standing
 // pose.
 // If larger: poses that BodyReference allows would be excluded.
-constexpr double kSmallestShare = 0.1;
+constexpr double kMinDeterminantShare = 0.1;
 
 // Return the row norms of the matrix that maps contact forces to the angular acceleration of the
 // base. If the condensed form is valid, the feet are fixed; otherwise the joints are locked.
@@ -66,7 +66,7 @@ QpUnits::QpUnits(const Robot& robot) {
   scale_base = scale_com;
   scale_angular = std::sqrt(3.0) / angular_row_lengths(dynamics).norm() / force;
   scale_momentum = 1.0 / std::sqrt(2.0 * kLegs * arm_squared / 3.0) / force;
-  smallest_determinant = kSmallestShare * determinant;
+  smallest_determinant = kMinDeterminantShare * determinant;
 }
 
 }  // namespace surefoot

@@ -24,19 +24,19 @@ struct Bounds {
 };
 
 bool is_released(const JointLimits& limits, int leg) noexcept {
-  return limits.a_released.segment<3>(3 * leg).maxCoeff() > 0.0;
+  return limits.a_widening.segment<3>(3 * leg).maxCoeff() > 0.0;
 }
 
 // Return the bounds to which the joint accelerations of a leg are clamped: the joint limits. If the
-// QP has used a slack to violate even the limits widened by a_released, the excess over the widened
+// QP has used a slack to violate even the limits widened by a_widening, the excess over the widened
 // limit is kept: that bound moves outward by the excess. So clamping changes no acceleration by
-// more than a_released.
+// more than a_widening.
 Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& desired) noexcept {
   Bounds bounds;
   for (int j = 0; j < 3; ++j) {
     const int k = 3 * leg + j;
-    bounds.lower[j] = std::min(limits.a_lower[k], desired[j] + limits.a_released[k]);
-    bounds.upper[j] = std::max(limits.a_upper[k], desired[j] - limits.a_released[k]);
+    bounds.lower[j] = std::min(limits.a_lower[k], desired[j] + limits.a_widening[k]);
+    bounds.upper[j] = std::max(limits.a_upper[k], desired[j] - limits.a_widening[k]);
   }
   return bounds;
 }
@@ -77,7 +77,7 @@ void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::V
     if (leg < kLegs) {
       load = planned_load(reference.feet[leg]) * std::clamp(contact[leg], 0.0, 1.0);
     }
-    limits.a_released[k] = kReleasedRange * (1.0 - fade) * (1.0 - load);
+    limits.a_widening[k] = kReleasedRange * (1.0 - fade) * (1.0 - load);
   }
 }
 

@@ -17,8 +17,8 @@ namespace surefoot {
 
 /// Widen the joint acceleration limits of unloaded legs near the support edge, so that they do not
 /// limit the body:
-///   limits.a_released = 1e4 rad/s^2 (1 - fade) (1 - load),   load = planned load * contact
-/// Away from the edge (fade = 1) and for loaded feet, a_released is 0. Real-time: yes.
+///   limits.a_widening = 1e4 rad/s^2 (1 - fade) (1 - load),   load = planned load * contact
+/// Away from the edge (fade = 1) and for loaded feet, a_widening is 0. Real-time: yes.
 /// @param fade result of edge_fade(), 0 .. 1
 /// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
 /// @param reference planned load of each foot

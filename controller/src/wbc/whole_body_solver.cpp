@@ -127,18 +127,18 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
   tolerance_ =
       std::max(built_in_share * options_.tolerance, std::min(options_.tolerance, kMinTolerance));
   elastic().set_tolerance(tolerance_);
-  take_result(elastic().solve(problem(), penalty_, curvature_), dynamics, terms, out);
+  store_result(elastic().solve(problem(), penalty_, curvature_), dynamics, terms, out);
 }
 
 void WholeBodySolver::solve_cold(const Dynamics& dynamics, const QpTerms& terms,
                                  Solution& out) noexcept {
   const StageScope stage(Stage::kQpAssembly);
   elastic().set_tolerance(kColdToleranceFactor * tolerance_);
-  take_result(elastic().solve_cold(problem(), penalty_, curvature_), dynamics, terms, out);
+  store_result(elastic().solve_cold(problem(), penalty_, curvature_), dynamics, terms, out);
 }
 
-void WholeBodySolver::take_result(const QpResult& result, const Dynamics& dynamics,
-                                  const QpTerms& terms, Solution& out) noexcept {
+void WholeBodySolver::store_result(const QpResult& result, const Dynamics& dynamics,
+                                   const QpTerms& terms, Solution& out) noexcept {
   out.status = result.status;
   out.iterations = result.iterations;
   out.primal_residual = result.primal_residual;

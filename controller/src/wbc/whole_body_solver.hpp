@@ -41,8 +41,8 @@ class WholeBodySolver {
 
  private:
   ElasticSolver& elastic() noexcept;
-  void take_result(const QpResult& result, const Dynamics& dynamics, const QpTerms& terms,
-                   Solution& out) noexcept;
+  void store_result(const QpResult& result, const Dynamics& dynamics, const QpTerms& terms,
+                    Solution& out) noexcept;
   void write_solution(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;
 
   Robot robot_;

@@ -18,7 +18,7 @@ constexpr double kStuckTime = 0.1;
 constexpr double kMinLoadChange = 0.1;
 // [counts] A sensor counts as saturated from this value on. Derived: just below 32767, the range of
 // int16.
-constexpr int kSaturation = 32000;
+constexpr int kSaturationCount = 32000;
 }  // namespace
 
 double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept {
@@ -38,7 +38,7 @@ SensorVerdict StuckDetector::update(int value, double load, double dt) noexcept 
   started_ = true;
   last_ = value;
   ever_nonzero_ = ever_nonzero_ || value != 0;
-  if (std::abs(value) >= kSaturation) return SensorVerdict::kSaturated;
+  if (std::abs(value) >= kSaturationCount) return SensorVerdict::kSaturated;
   if (!ever_nonzero_) return SensorVerdict::kZero;
   if (unchanged_time_ < kStuckTime || !(max_load_ - min_load_ > kMinLoadChange))
     return SensorVerdict::kGood;

@@ -7,12 +7,12 @@ namespace surefoot {
 
 namespace {
 // Innovation below which the difference is noise or a model error, in units of the gain
-// push_dead_band: 1.5 m/s^2 by default. kNoiseLevel, kFastLevel and kMinTimeScale are chosen with
-// pushes from 16 directions (git a0e3774): with them a go1 survived 100 % instead of 97.5 % of its
-// limit.
+// push_dead_band: 1.5 m/s^2 by default. kNoiseLevel, kHalvingLevel and kMinTimeScale are chosen
+// with pushes from 16 directions (git a0e3774): with them a go1 survived 100 % instead of 97.5 % of
+// its limit.
 constexpr double kNoiseLevel = 3.0;
 // Excess over kNoiseLevel at which the time constant is halved, in units of push_dead_band.
-constexpr double kFastLevel = 1.0;
+constexpr double kHalvingLevel = 1.0;
 // Shortest time constant, in units of push_time: 6 ms by default. If smaller: at 4 ms the torques
 // of a b1 exceeded the supervisor's limit of the torque rate (measured, git e0f1814). If 1: the
 // time constant is never shortened. With 6 ms at 500 Hz, one wrong sample moves the estimate by a
@@ -49,14 +49,14 @@ double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool
   innovation_time_ = std::clamp(innovation_time_ + (excess > 0.0 ? dt : -kInnovationTimeDecay * dt),
                                 0.0, kMaxInnovationTime);
   if (excess <= 0.0 || innovation_time_ >= kMaxInnovationTime || !supported) return 1.0;
-  const double half_level = kFastLevel * gains.push_dead_band;
+  const double half_level = kHalvingLevel * gains.push_dead_band;
   return std::max(half_level / (half_level + excess), kMinTimeScale);
 }
 
 Vector3 PushObserver::acceleration(const Gains& gains) const noexcept {
-  const double size = filtered_.norm();
-  const double magnitude = std::clamp(size - gains.push_dead_band, 0.0, gains.push_max);
-  return size > 0.0 ? Vector3(magnitude / size * filtered_) : Vector3::Zero();
+  const double norm = filtered_.norm();
+  const double magnitude = std::clamp(norm - gains.push_dead_band, 0.0, gains.push_max);
+  return norm > 0.0 ? Vector3(magnitude / norm * filtered_) : Vector3::Zero();
 }
 
 }  // namespace surefoot

@@ -14,17 +14,17 @@ constexpr double kLiftedTime = 0.05;     // 0.1 s; longer than impacts that unlo
 constexpr double kPayloadTime = 1.0;     // 2 s; longer than pushes (0.5 s in the full scorecard)
 constexpr double kMinSlip = 0.5;         // EstimatorReport::slip above which a foot slips
 
-bool bad(SensorVerdict verdict) noexcept {
+bool is_bad(SensorVerdict verdict) noexcept {
   return verdict != SensorVerdict::kGood && verdict != SensorVerdict::kUnjudged;
 }
 
-bool foot_force_bad(const EstimatorReport& report) noexcept {
+bool is_foot_force_bad(const EstimatorReport& report) noexcept {
   for (const ContactSource source : {ContactSource::kFootForceEst, ContactSource::kFootForce}) {
     const auto& verdicts = report.contact_sources[static_cast<int>(source)];
     int zero = 0, wrong = 0;
     for (const SensorVerdict verdict : verdicts) {
       zero += verdict == SensorVerdict::kZero;
-      wrong += bad(verdict);
+      wrong += is_bad(verdict);
     }
     // Most robots have only one of these sources. A missing source reads zero on all feet, which is
     // no fault.
@@ -37,21 +37,22 @@ bool foot_force_bad(const EstimatorReport& report) noexcept {
 
 void EstimatorFaults::update(const EstimatorReport& report, const RobotState& state, double dt,
                              FaultLog& log) noexcept {
-  gyroscope_bad_ = gyroscope_.update(bad(report.gyroscope), dt, kGyroscopeTime);
-  accelerometer_bad_ = accelerometer_.update(bad(report.accelerometer), dt, kSensorTime);
-  quaternion_bad_ = quaternion_.update(bad(report.quaternion), dt, kSensorTime);
+  gyroscope_bad_ = gyroscope_.update(is_bad(report.gyroscope), dt, kGyroscopeTime);
+  accelerometer_bad_ = accelerometer_.update(is_bad(report.accelerometer), dt, kSensorTime);
+  quaternion_bad_ = quaternion_.update(is_bad(report.quaternion), dt, kSensorTime);
   overloaded_ = payload_.update(report.payload > payload_limit_, dt, kPayloadTime);
-  log.set(FaultId::kFootForce, foot_force_bad(report));
+  log.set(FaultId::kFootForce, is_foot_force_bad(report));
   log.set(FaultId::kSlip, slip_.update(report.slip.maxCoeff() > kMinSlip, dt, kSlipTime));
   log.set(FaultId::kLifted, lifted_.update(state.contact.maxCoeff() < 0.5, dt, kLiftedTime));
   log.set(FaultId::kPayload, overloaded_);
 }
 
 void EstimatorFaults::reset(bool sitting, FaultLog& log) noexcept {
-  const bool gyroscope_held = sitting && gyroscope_bad_, overload_held = sitting && overloaded_;
+  const bool keep_gyroscope_fault = sitting && gyroscope_bad_,
+             keep_overload_fault = sitting && overloaded_;
   *this = EstimatorFaults(payload_limit_);
-  gyroscope_bad_ = gyroscope_held;
-  overloaded_ = overload_held;
+  gyroscope_bad_ = keep_gyroscope_fault;
+  overloaded_ = keep_overload_fault;
   for (const FaultId id : {FaultId::kFootForce, FaultId::kSlip, FaultId::kLifted}) {
     log.set(id, false);
   }

@@ -87,9 +87,9 @@ bool ImuMonitor::is_consistent(const Quaternion& attitude, const Vector3& w) con
 void ImuMonitor::judge_rates(const Vector3& w, double step, bool changed,
                              double max_error) noexcept {
   // If the whole sample repeats, the gyroscope has no fault, so the time is not counted.
-  const bool repeated = gyroscope_held_.update(w == w_last_, changed ? step : 0.0, kMinBadTime);
-  const bool clipped = gyroscope_clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange,
-                                                 step, kMinBadTime);
+  const bool repeated = gyroscope_repeats_.update(w == w_last_, changed ? step : 0.0, kMinBadTime);
+  const bool clipped =
+      gyroscope_clips_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kMinBadTime);
   const bool inconsistent =
       rate_inconsistent_.update(rate_error_.norm() > max_error, step, kMinBadTime);
   gyroscope_bad_ = repeated || clipped || inconsistent;
@@ -97,7 +97,8 @@ void ImuMonitor::judge_rates(const Vector3& w, double step, bool changed,
 }
 
 void ImuMonitor::judge_accelerometer(const Vector3& a, double step, bool changed) noexcept {
-  accelerometer_bad_ = accelerometer_held_.update(a == a_last_, changed ? step : 0.0, kMinBadTime);
+  accelerometer_bad_ =
+      accelerometer_repeats_.update(a == a_last_, changed ? step : 0.0, kMinBadTime);
   a_last_ = a;
 }
 

@@ -22,8 +22,8 @@ class ImuMonitor {
   ///   tolerance then also covers an error of the gyroscope's scale
   void update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept;
   /// Return whether the rates of the last sample are usable. They are not usable if they have
-  /// changed by kMaxRateJump or more since the previous sample, which is more than the rates of a
-  /// body can change.
+  /// changed by 3 rad/s or more since the previous sample, which is more than the rates of a body
+  /// can change.
   bool rates_plausible() const noexcept { return rates_plausible_; }
   /// Return whether the attitude of the last sample is usable. It is not usable if the norm of the
   /// quaternion is not 1, or if the attitude has jumped away from the integrated gyroscope.
@@ -51,7 +51,7 @@ class ImuMonitor {
        attitude_plausible_ = true;
   Vector3 a_last_ = Vector3::Zero();  // [m/s^2] accelerometer in the last sample
   bool accelerometer_bad_ = false;
-  Debounce gyroscope_held_, gyroscope_clipped_, rate_inconsistent_, accelerometer_held_;
+  Debounce gyroscope_repeats_, gyroscope_clips_, rate_inconsistent_, accelerometer_repeats_;
 };
 
 }  // namespace surefoot

@@ -33,12 +33,13 @@ class RepeatedSample {
   bool too_old() const noexcept { return repeat_time_ >= kMaxAge - 1e-9; }
   /// Return whether the sensors have stopped: the values have repeated for longer than on a robot
   /// that measures at 50 Hz, the lowest measurement rate of all robots.
-  bool stopped() const noexcept { return repeat_time_ >= kStopped; }
+  bool stopped() const noexcept { return repeat_time_ >= kStoppedTime; }
   /// Return whether the last sample had the same values as the sample before it.
   bool repeats() const noexcept { return repeat_time_ > 0.0; }
 
  private:
-  static constexpr double kStopped = 0.022;  // [s] derived: one period at 50 Hz plus one at 500 Hz
+  static constexpr double kStoppedTime =
+      0.022;  // [s] derived: one period at 50 Hz plus one at 500 Hz
   using Values = Eigen::Matrix<float, 42, 1>;
   Values last_values_ = Values::Constant(NAN);
   double repeat_time_ = 0.0;  // [s] time for which the values have repeated

@@ -115,8 +115,8 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   // Weaken the spring of a leg that slips off an obstacle. Otherwise this leg alone would take more
   // power than a rise.
   for (int i = 0; i < kMotors; ++i) {
-    const double ahead = std::copysign(1.0, deflection[i]) * (dq_[i] - reference.dq[i]);
-    deflection[i] *= std::clamp(1.0 - (ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
+    const double speed_ahead = std::copysign(1.0, deflection[i]) * (dq_[i] - reference.dq[i]);
+    deflection[i] *= std::clamp(1.0 - (speed_ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
   }
   Vector12 tau = hold + stiffness_ * deflection + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
@@ -129,10 +129,10 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
   if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
-  const double braking = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
+  const double braking_scale = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
   // Counteract a part of the motors' damping, so that torques plus damping are closer to the
   // holding torques.
-  const Vector12 counter_torque = hold + (1.0 - braking) * damping_ * dq_;
+  const Vector12 counter_torque = hold + (1.0 - braking_scale) * damping_ * dq_;
   return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
 }
 

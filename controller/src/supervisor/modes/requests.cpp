@@ -9,9 +9,9 @@ RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept {
   if (!context.armed) return RequestStatus::kNotArmed;
   const bool lying = context.mode == Mode::kPassive;
   const bool up = context.mode == Mode::kRise || context.mode == Mode::kStand;
-  const bool fits = (mode == Mode::kRise && lying) || (mode == Mode::kSit && up) ||
-                    (mode == Mode::kStand && context.mode == Mode::kSit);
-  if (!fits) return RequestStatus::kOutOfOrder;
+  const bool mode_allowed = (mode == Mode::kRise && lying) || (mode == Mode::kSit && up) ||
+                            (mode == Mode::kStand && context.mode == Mode::kSit);
+  if (!mode_allowed) return RequestStatus::kOutOfOrder;
   if ((lying && !context.ready) || (mode != Mode::kSit && context.must_sit)) {
     return RequestStatus::kNotReady;
   }
@@ -24,8 +24,8 @@ RequestStatus judge_arming(const RequestContext& context) noexcept {
   if (!context.state_valid) return RequestStatus::kNoState;
   if (context.mode != Mode::kPassive && context.mode != Mode::kDamping)
     return RequestStatus::kOutOfOrder;
-  const bool may = context.ready || (context.checks_waived && !context.must_sit);
-  return may ? RequestStatus::kAccepted : RequestStatus::kNotReady;
+  const bool arming_allowed = context.ready || (context.checks_waived && !context.must_sit);
+  return arming_allowed ? RequestStatus::kAccepted : RequestStatus::kNotReady;
 }
 
 RequestStatus Requests::request_mode(Mode mode) noexcept {

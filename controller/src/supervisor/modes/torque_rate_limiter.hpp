@@ -18,8 +18,8 @@ class TorqueRateLimiter {
  public:
   /// [1/s] Largest rate of a torque, in tau_max per second: 9.5 % of tau_max in 2 ms, or 1100 N.m/s
   /// for the hips of a go1 (libfranka: 1000). Derived: 5 % below the rate of 10 % in 2 ms that
-  /// `surefoot faults` allows. Pushes at half of the largest survived impulse need up to 13 %, for
-  /// two or three periods.
+  /// `surefoot faults` allows. Without the limit, torques would change by up to 13 % in 2 ms, for
+  /// two or three periods, after pushes of half of the largest survived impulse.
   static constexpr double kMaxRate = 47.5;
 
   explicit TorqueRateLimiter(const Vector12& tau_max) : tau_max_(tau_max) {}

@@ -37,9 +37,9 @@ void LegWeightCheck::start(const Vector12& reference,
 
 const JointReference& LegWeightCheck::step(const Vector12& measured, const Vector12& model,
                                            double dt) noexcept {
-  const bool averaged = time_ >= kReturnTime;
+  const bool already_averaged = time_ >= kReturnTime;
   time_ += dt;
-  if (time_ >= kMoveTime + kSettleTime && !averaged) {
+  if (time_ >= kMoveTime + kSettleTime && !already_averaged) {
     for (int leg = 0; leg < kLegs; ++leg) {
       measured_[leg] += measured[kLegJoints * leg];
       model_[leg] += model[kLegJoints * leg];
@@ -55,7 +55,7 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
     reference_.q[hip] = q;
   }
   // If the check fails, it ends before the hips have moved back.
-  if (time_ >= kReturnTime && !averaged) judge();
+  if (time_ >= kReturnTime && !already_averaged) judge();
   if (verdict_ == Verdict::kNone && time_ >= kReturnTime + kMoveTime) verdict_ = Verdict::kFits;
   return reference_;
 }
@@ -64,7 +64,7 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
 // of the model. If the ratio of one leg differs, this leg is on the wrong side. The logarithm uses
 // 1e-3 for ratios below 1e-3, also for negative ratios.
 void LegWeightCheck::judge() noexcept {
-  int worst = 0, heaviest = 0, count = 0;
+  int worst = 0, heaviest = 0, leg_count = 0;
   double worst_log_ratio = -1.0, mean_ratio = 0.0;
   double min_ratio = std::numeric_limits<double>::infinity(), max_ratio = -min_ratio;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -75,10 +75,10 @@ void LegWeightCheck::judge() noexcept {
     min_ratio = std::min(min_ratio, ratio);
     if (ratio > max_ratio) heaviest = leg, max_ratio = ratio;
     mean_ratio += ratio;
-    ++count;
+    ++leg_count;
   }
-  mean_ratio /= count;
-  const bool all_legs = count == kLegs;
+  mean_ratio /= leg_count;
+  const bool all_legs = leg_count == kLegs;
   const bool plausible = min_ratio > kMinRatio && max_ratio < kMaxRatio &&
                          mean_ratio > kMinMeanRatio && mean_ratio < kMaxMeanRatio;
   if (all_legs ? plausible : max_ratio < kMaxPartialRatio) return;

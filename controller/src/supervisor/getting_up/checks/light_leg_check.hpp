@@ -56,7 +56,7 @@ class LightLegCheck {
   bool too_light() const noexcept {
     const double min_torque = kMinTorqueShare * model_.cwiseAbs().maxCoeff();
     Vector12 relief = Vector12::Zero();
-    int joints = 0, most_alike = 0;
+    int joints = 0, max_joints_alike = 0;
     for (int i = 0; i < kMotors; ++i) {
       if (std::abs(model_[i]) < min_torque) continue;
       ++joints;
@@ -69,9 +69,10 @@ class LightLegCheck {
       int hips = 0;
       for (int leg = 0; leg < kLegs; ++leg) hips += similar[kLegJoints * leg];
       const int joints_alike = static_cast<int>(similar.count());
-      if (hips > 0 && hips < joints_alike) most_alike = std::max(most_alike, joints_alike);
+      if (hips > 0 && hips < joints_alike)
+        max_joints_alike = std::max(max_joints_alike, joints_alike);
     }
-    return most_alike >= kMinJoints && most_alike >= kMinJointShare * joints;
+    return max_joints_alike >= kMinJoints && max_joints_alike >= kMinJointShare * joints;
   }
 
  private:

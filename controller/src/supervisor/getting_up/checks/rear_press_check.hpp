@@ -17,10 +17,10 @@ namespace surefoot {
 /// If the two pressing legs really are a diagonal pair, they also roll the body and carry all of
 /// its weight; a true rear pair shares the weight with the front of the body. So the press fails if
 /// the body rolls by kMaxRoll while the legs carry kDiagonalLoad, or if the front rises by
-/// kMaxNoseUp. Neither roll nor load is sufficient alone: an off-centre payload rolls a body with a
-/// narrow front, and some bodies are heavy at the rear. A failed press is repeated once, because
-/// the body may lie unevenly. If the legs carry less than kMinLoad, the robot hangs and the check
-/// passes. Real-time: yes.
+/// kMaxNoseUp. Neither roll nor load is sufficient alone: an off-centre payload also rolls a body
+/// with a narrow front, and the rear legs of a rear-heavy body also carry much load. A failed press
+/// is repeated once, because the body may lie unevenly. If the legs carry less than kMinLoad, the
+/// robot hangs and the check passes. Real-time: yes.
 class RearPressCheck {
  public:
   // The limits are chosen between values measured in simulation (docs/explanation/getting-up.md). A

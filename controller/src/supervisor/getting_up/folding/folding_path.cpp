@@ -18,9 +18,9 @@ constexpr double kThighAhead = -0.3;      // [rad] thigh angle below which a leg
 constexpr double kHipInwardRolled = 0.4;  // [rad] kHipInward after the body has rolled
 // [rad] A leg with a smaller thigh angle is stretched ahead, any other leg is stretched behind.
 constexpr double kStretchAheadLimit = 0.8;
-// [rad] A thigh whose limit is above this cannot be stretched ahead.
+// [rad] A leg can be stretched ahead only if the forward limit of its thigh is below this angle.
 constexpr double kMinStretchReach = -0.8;
-// [rad] The hip opens when the errors of thigh and calf are smaller than this.
+// [rad] In a stretch, the hip opens when the errors of thigh and calf are smaller than this angle.
 constexpr double kStretchTolerance = 0.3;
 // [rad] Thigh angle from which the hip begins to turn outward.
 constexpr double kKneeOutwardStart = -0.8;
@@ -29,7 +29,7 @@ constexpr double kKneeOutwardEnd = 1.3;   // [rad] thigh angle from which the hi
 constexpr double kKneeUp = 2.2;           // [rad] thigh angle from which the hip is straight
 // [rad] Thigh angle of a thigh that is turned back along the body.
 constexpr double kKneeBack = 1.9;
-// [rad] The thigh stays turned back while the error of the hip is larger than this.
+// [rad] The thigh stays turned back while the error of the hip is larger than this angle.
 constexpr double kHipTolerance = 0.2;
 
 // Return the thigh angle x [rad], with its sign changed if necessary so that it is positive in the

@@ -18,13 +18,16 @@ namespace {
 constexpr double kSpeed = 1.2;
 // [rad/s^2] Acceleration of a joint reference: it reaches kSpeed in 80 ms.
 constexpr double kAcceleration = 15.0;
-// [1/s] Speed of a reference divided by its distance to the target.
+// [1/s] Speed of a joint reference near its target, divided by its distance to the target.
 constexpr double kSettlingRate = 4.0;
-// [rad] Largest lead of a reference over its joint. Smaller than kMaxDeflection of the spring.
+// [rad] Largest lead of a joint reference over the joint. Smaller than kMaxDeflection of
+// JointImpedance.
 constexpr double kMaxLead = 0.4;
-// [rad] kMaxLead for legs with leg interference, which then take less power when they come free.
+// [rad] Replaces kMaxLead for two legs that may block each other. With a smaller lead they take
+// less power when they come free.
 constexpr double kInterferenceLead = 0.3;
-// [s] Detours are allowed for this time; after that only the sweep.
+// [s] Folding time of a leg for which the stretch and knee-back motions are allowed; after this
+// time, only the sweep (see folding_target()).
 constexpr double kDetourTime = 4.0;
 // [s] Time constant with which references approach released joints, so that torques do not jump.
 constexpr double kReleaseTime = 0.03;
@@ -36,7 +39,7 @@ constexpr double kJointTolerance = 0.25;
 constexpr double kMinMovement = 0.1;
 constexpr double kCatchTime = 1.0;    // [s] in this time a leg could move by 1.2 rad
 constexpr double kBackOutTime = 1.5;  // [s] duration of backing out: up to 1.8 rad at kSpeed
-// [rad] Displacement of the thigh while it backs out, for each catch.
+// [rad] Displacement of the thigh while the leg backs out, multiplied by the number of catches.
 constexpr double kBackOutStep = 0.6;
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace surefoot {
 ///
 /// A roll is a tilt above kRollTilt that has grown by kMinTiltIncrease. The legs are then released
 /// for kReleaseTime, early enough for the body to fall back. This happens at most twice. If the
-/// body still rolls after that, it has rolled over: the legs are not where the model assumes them,
-/// or an obstacle is in the way. Real-time: yes.
+/// body still rolls after two releases, it counts as rolled over: the legs are not where the model
+/// assumes them, or an obstacle is in the way. Real-time: yes.
 class RolloverMonitor {
  public:
   /// @param up the world's vertical in base axes, unit length
