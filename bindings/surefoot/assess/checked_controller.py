@@ -42,7 +42,8 @@ def checked_controller(control: ControlFunction) -> ControlFunction:
 
 def _check_finite(command: LowCmd) -> None:
     values = _MOTOR_VALUES.unpack_from(command.raw.data)
-    # The sum in double precision propagates NaN and infinity; float32 values cannot overflow it.
+    # The sum propagates NaN and infinity. A sum of float32 values cannot overflow in double
+    # precision.
     if math.isfinite(sum(values)):
         return
     bad_index = next(k for k, value in enumerate(values) if not math.isfinite(value))

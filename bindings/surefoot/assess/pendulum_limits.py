@@ -8,7 +8,8 @@ x = d. The body does not rotate, so the ground must also balance the moment a F 
 
 Here p is the centre of pressure, and B is the largest force that friction (mu m g) or the motors
 allow. The LIP survives if its capture point can be kept inside the support edge. Braking with the
-largest b is optimal, because the bound on b decreases with x.
+largest b at all times is optimal: weaker braking lets x grow, and the largest possible b decreases
+with x.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from dataclasses import dataclass
 
 from surefoot.sim.lip_push_limit import GRAVITY, max_lip_impulse
 
-_BISECTIONS = 60  # number of halvings. Numerical: more than the 53 bits of a double
+_BISECTIONS = 60  # number of halvings; numerical: more than the 53 bits of a double
 
 
 @dataclass(frozen=True)
@@ -83,9 +84,9 @@ def _survives(
 ) -> bool:
     """Return True if the pendulum survives a push with a constant force [N]."""
     x, v = _state_after_push(p, max_brake_force, force, duration, push_height)
-    max_deceleration = max_brake_force / p.mass  # [m/s^2] largest deceleration that B allows
+    max_deceleration = max_brake_force / p.mass  # [m/s^2] deceleration by B
     w2 = GRAVITY / p.com_height
-    # [m] B limits the braking at smaller x, the support edge at larger x.
+    # [m] At smaller x, B limits the braking force; at larger x, the support edge limits it.
     x_switch = p.edge_distance - max_deceleration / w2
     if x >= x_switch:
         # The factor 1 + 1e-12 lets the exact LIP push limit survive despite rounding.

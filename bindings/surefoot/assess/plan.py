@@ -15,9 +15,9 @@ from surefoot.assess.work_units import PushUnit, StandUnit
 from surefoot.assess.worker import WorkItem
 from surefoot.faults import choose_cells
 
-# [% of the push limit] Finest step of the sweeps of all pushes other than STANDARD_PUSH. Most
-# sweeps of a full scorecard are of this kind. Chosen: this step, together with other measures,
-# shortened the run of the full scorecard by a sixth.
+# [% of the push limit] Finest step of the sweeps of all pushes other than STANDARD_PUSH. Chosen:
+# coarser than FINEST_STEP, because most sweeps of a full scorecard are of this kind, and a finer
+# step takes more runs.
 OTHER_FINEST_STEP = 5.0
 BRIEF_CELLS = ("*/standing",)  # patterns of the fault matrix cells that faults = "brief" runs
 

@@ -10,9 +10,10 @@ from surefoot.assess.pendulum_limits import Pendulum, force_limited_impulse, lip
 from surefoot.assess.quasi_static import quasi_static_force
 from surefoot.assess.stance_model import StanceModel, stance_model
 
-# Largest depth of a push below the centre of mass, as a share of the centre of mass's height h.
-# Chosen: the push limits grow with h / (h + a), and a push near the ground does not tip the robot.
-# The lowest push of the scorecard, a = -0.1 m, has a share of about a third.
+# Largest depth of a push below the centre of mass, as a share of the height h of the centre of
+# mass. The push limits grow with h / (h + a), where a is the push height above the centre of mass,
+# so they become infinite at the ground. Chosen: a push near the ground does not tip the robot. The
+# lowest push of the scorecard (a = -0.1 m) has a share of about a third.
 MAX_DEPTH_SHARE = 0.75
 
 

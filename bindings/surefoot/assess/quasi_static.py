@@ -25,8 +25,8 @@ def quasi_static_force(stance: StanceModel, direction_deg: float, friction: floa
     forces f of the four feet. The constraints are: forces and moments about the centre of mass
     balance, f is inside the friction cones, and the joint torques tau_g - J' f are within the
     motor limits at rest. The torques tau_g hold the weight of the legs. Without the limits of
-    friction and torque the result would be m g d / h: mass, gravity, stance.edge_distance() and
-    height of the centre of mass.
+    friction and torque the result would be m g d / h, with the mass m, d = stance.edge_distance()
+    and the height h of the centre of mass.
 
     Args:
         stance: Model of the standing robot.

@@ -49,7 +49,7 @@ def run_assess(
 def _run(
     settings: AssessSettings, store: ResultStore, planned: list[WorkItem], progress: Progress | None
 ) -> None:
-    # The machine, not the controller, may have caused a lost unit, so a resumed run repeats it.
+    # A resumed run repeats lost units, because the machine may have caused the loss.
     finished = {key for key, unit_result in store.results.items() if LOST_KEY not in unit_result}
     missing = [w for w in planned if (w.controller_under_test.name, w.unit.key) not in finished]
     done = len(planned) - len(missing)

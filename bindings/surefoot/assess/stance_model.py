@@ -26,8 +26,8 @@ class StanceModel:
         mass: Mass m [kg].
         com: (3,) centre of mass [m].
         contacts: (4, 3) contact points of the feet [m].
-        jacobians: (4, 3, 12) Jacobians from the motor velocities to the velocity of the point of
-            each foot that touches the ground.
+        jacobians: (4, 3, 12) Jacobian of each foot. It maps the motor velocities to the velocity of
+            the foot's contact point.
         gravity_torque: (12,) motor torques that hold only the weight of the legs [N.m].
         torque_limit: (12,) motor torque limits at rest [N.m].
     """

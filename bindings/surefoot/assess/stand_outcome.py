@@ -11,8 +11,8 @@ from surefoot.assess.push_outcome import attitude_angles
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.stand.foot_frame import pose_in_support, rotation_angle
 
-# Protocol of docs/reference/scorecard.md, chosen: long enough for the body to stop swinging after
-# the ground motion; longer times only cost run time.
+# Protocol of docs/reference/scorecard.md. Chosen: after the ground motion, the body stops swinging
+# within these times; longer times only cost run time.
 HOLD_TIME = 4.0  # [s] time of standing after the quiet phase and the ground motion
 JUDGED_TIME = 1.0  # [s] time at the end of the run in which tilt and height are judged
 
@@ -22,8 +22,10 @@ class StandOutcome:
     """Outcome of a quiet stand: largest errors relative to the initial pose.
 
     On moving ground the body may keep its attitude or follow the ground. So tilt and height are
-    compared with the initial pose in two frames: the vertical one, and that of the plane of the
-    feet. The smaller error counts. Of the foot displacements, only the horizontal part counts.
+    compared with the initial pose in two frames: the world frame, and a frame along the plane of
+        the
+    feet. The smaller error counts. On moving ground, only the horizontal part of a foot
+    displacement counts.
 
     Attributes:
         stood: True if the robot did not fall.

@@ -9,7 +9,7 @@ from surefoot.bench.problems import SCENARIOS
 from surefoot.robot.description import RobotDescription
 from surefoot.stand.settings import check_rate
 
-# Chosen: 20 of these ticks are above the 99.9th percentile.
+# Chosen: 20 of these ticks lie above the 99.9th percentile, enough to estimate this percentile.
 DEFAULT_TICKS = 20_000
 # Sanity limits.
 MIN_TICKS, MAX_TICKS = 100, 2_000_000

@@ -1,6 +1,7 @@
 """Run the C++ executable that times ticks.
 
-The executable contains no Python, so all counted heap allocations and page faults are of the tick.
+The executable contains no Python. So the tick causes all heap allocations and page faults that the
+executable counts.
 """
 
 from __future__ import annotations
@@ -21,9 +22,10 @@ from surefoot._core import BodyReference, Error, QpForm
 from surefoot.bench.recording import Recording
 
 PROGRAM = Path(surefoot.__path__[0]) / "bin" / "surefoot_tick_bench"
+# Layout of the C++ struct bench::CallTiming.
 _CALL_TIMING = np.dtype(
     [("wall", "<f4"), ("cpu", "<f4"), ("iterations", "<u2"), ("failed", "<u2")]
-)  # bench::CallTiming
+)
 
 
 @dataclass(frozen=True)
@@ -54,10 +56,10 @@ class Series:
 def run_tick_program(
     recording: Recording, form: QpForm, ticks: int
 ) -> tuple[dict[str, Series], dict[str, Any]]:
-    """Time a recording; return the series by name, and facts about the executable.
+    """Time a recording; return the series by name, and two facts about the executable.
 
-    There are two facts. "build" is the compiler and flags of the library. "memory_locked" is true
-    if the system allowed mlockall(); otherwise the page faults of the first pass map the memory.
+    "build" is the compiler and the flags of the library. "memory_locked" is true if the system
+    allowed mlockall(). If it is false, the first pass has page faults, which map the memory.
 
     Raises:
         Error: The executable is missing, or it failed; the message has its error text.
@@ -87,7 +89,7 @@ def run_tick_program(
 
 
 def _reference_row(r: BodyReference) -> list[float]:
-    return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # order of the C++ struct
+    return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # order in the executable's input
 
 
 def _read_output(path: Path) -> tuple[dict[str, Series], dict[str, Any]]:

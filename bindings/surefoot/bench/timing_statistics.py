@@ -11,10 +11,11 @@ import numpy.typing as npt
 from surefoot.bench.tick_program import Series
 
 PERCENTILES = {"min": 0.0, "p50": 50.0, "p90": 90.0, "p99": 99.0, "p99.9": 99.9, "max": 100.0}
-# Derived: one period.
-DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}  # [us] longest duration of a tick in time
-# Chosen: a quarter of the period at 500 Hz.
-HISTOGRAM_END = 500  # [us] start of the last bin, which holds all longer durations
+# [us] The period of each control rate. A tick that takes longer is missed.
+DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}
+# [us] Start of the last bin, which counts all longer durations. Chosen: a quarter of the period at
+# 500 Hz.
+HISTOGRAM_END = 500
 
 
 def distribution(durations: npt.ArrayLike) -> dict[str, float]:
@@ -34,16 +35,18 @@ def histogram(durations: npt.ArrayLike) -> list[int]:
 
 
 def slowest_tick(durations: npt.NDArray[np.float32], ticks_per_pass: int) -> float:
-    """Return the duration of the slowest tick [us]: the largest of all ticks' medians over passes.
+    """Return the duration of the slowest tick of the recording [us].
 
-    The machine causes most of the longest single durations. A tick that is slow in most passes is
-    slow because of the controller.
+    The duration of each tick is its median over all passes. The machine causes most of the longest
+    single durations. A tick that is slow in most passes is slow because of the controller.
     """
     return round(float(np.median(durations.reshape(-1, ticks_per_pass), axis=0).max()), 3)
 
 
 def series_statistics(series: Series, ticks_per_pass: int) -> dict[str, Any]:
     """Return the figures of a series as JSON values.
+
+    A series without CPU times has only the figures of the wall time.
 
     Args:
         series: Timings of one kind of call.

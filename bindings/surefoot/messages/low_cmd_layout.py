@@ -1,4 +1,4 @@
-"""NumPy dtype of the packed LowCmd (734 bytes), for arrays of commands."""
+"""NumPy dtype of the packed LowCmd (734 bytes), with all its fields, for arrays of commands."""
 
 from __future__ import annotations
 

@@ -1,10 +1,14 @@
-"""NumPy dtype of the packed LowState (937 bytes), for arrays of samples."""
+"""NumPy dtype for arrays of packed LowStates (937 bytes each).
+
+The dtype names only the fields that Surefoot reads. It skips the bytes of all other fields: the
+header, the raw motor fields, and the fields after the tick.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
-LEGS = ("FR", "FL", "RR", "RL")  # leg order of the SDK, for feet and for motors (three per leg)
+LEGS = ("FR", "FL", "RR", "RL")  # leg order of the SDK; each leg has three motors
 MOTOR_COUNT = 12
 MOTOR_SLOTS = 20
 

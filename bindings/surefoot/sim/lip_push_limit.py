@@ -47,9 +47,9 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
 def max_lip_impulse(mass: float, height: float, distance: float, duration: float) -> float:
     """Return the LIP push limit, without steps [N.s].
 
-    J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h). A constant force J / T during T moves the
-    capture point of the pendulum exactly to the support edge, with the centre of pressure kept at
-    that edge.
+    J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h). A constant force J / T during the time T
+    moves the capture point of the pendulum exactly to the support edge, while the centre of
+    pressure is at that edge.
 
     Args:
         mass: Mass m [kg].

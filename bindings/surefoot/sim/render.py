@@ -46,8 +46,8 @@ class Renderer:
         self._model.vis.global_.offwidth = max(width, 640)
         self._model.vis.global_.offheight = max(height, 480)
         self._data = mujoco.MjData(self._model)
-        # All drawn sizes scale with the robot.
-        self._size = float(plant.model.body_subtreemass[plant.handles.root]) ** (1 / 3) / 8.0  # [m]
+        # [m] Length that grows with the mass of the robot; all drawn sizes are multiples of it.
+        self._size = float(plant.model.body_subtreemass[plant.handles.root]) ** (1 / 3) / 8.0
         _set_visual_options(self._model, self._size)
         self._renderer = mujoco.Renderer(self._model, height, width)
         self._camera = mujoco.MjvCamera()

@@ -23,7 +23,7 @@ class Truth:
 
     Attributes:
         time: Time since reset [s].
-        q: (nq,) Pinocchio's q: position, quaternion x y z w, joints in the model's order.
+        q: (nq,) Pinocchio's q: position, quaternion x y z w, joints in Pinocchio's order.
         v: (nv,) Pinocchio's v: base twist in base axes, joint velocities.
         p_world_feet: (3, 4) centres of the foot spheres [m].
         foot_forces: (3, 4) ground force on each foot in the last physics step, world axes [N].
@@ -76,7 +76,7 @@ def measure_truth(
 
 
 def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether trunk or legs touch the ground, or the base tilts by more than 60 deg."""
+    """Return whether a part other than a foot touches the ground, or the tilt exceeds 60 deg."""
     # The comparison is negated so that NaN counts as fallen.
     if not data.xmat[handles.root, 8] >= FALLEN_TILT_COS:
         return True

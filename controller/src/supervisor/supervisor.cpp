@@ -11,8 +11,9 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 }
 
-// The range of power_level is that of the SDK. Temperatures have the range of LowState (int8, deg
-// C). The other ranges exclude values that make no sense.
+// The range of power_level is that of the SDK's PowerProtect, and 0, which switches the protection
+// off. Temperatures have the range of LowState (int8 [deg C]). The other ranges exclude values that
+// make no sense.
 void SupervisorOptions::validate() const {
   const auto expect = [](const char* name, double got, double lower, double upper) {
     if (got >= lower && got <= upper) return;

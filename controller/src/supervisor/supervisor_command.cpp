@@ -9,9 +9,9 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time for which the torques must be limited before there is a fault torque_rate. Derived: the
-// 6 ms in which the estimator responds to a push, and torques may be limited, plus one period.
-// Shorter than the 10 ms of fault_table().
+// [s] Time for which the torques must be rate-limited before the fault torque_rate is reported.
+// Derived: at the start of a push the estimator responds within 6 ms, and torques may be limited
+// for so long; plus one period. Shorter than the 10 ms of fault_table().
 constexpr double kRateLimitedTime = 0.008;
 
 }  // namespace
@@ -41,8 +41,8 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     demand.tau = (1.0 - w) * from_demand.tau + w * demand.tau;
     demand.kd = (1.0 - w) * from_demand.kd + w * demand.kd;
   }
-  // A StandController that has had no solution since its reset has no command to hold, and never
-  // latches damping by itself. So this time is measured here.
+  // A StandController that has had no solution since its reset has no command to repeat, and never
+  // latches damping by itself. So the time without a solution is measured here.
   const bool uses_controller = fade.uses(TorqueSource::kController);
   const bool controller_idle = unsolved.update(
       uses_controller && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);

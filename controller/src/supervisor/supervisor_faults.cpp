@@ -14,7 +14,8 @@ namespace {
 // slopes of 8 degrees (benchmarks/false_trips.py), and smaller than the 60 degrees of the row
 // body_tilt of `surefoot faults`.
 constexpr double kFallTilt = 0.7;
-// [rad] Tilt above which a lying body has fallen. Larger than the 0.74 of RolloverMonitor.
+// [rad] 46 degrees: tilt above which a lying body has fallen. Larger than kRolledOverTilt of
+// RolloverMonitor (0.74).
 constexpr double kLyingFallTilt = 0.8;
 // [s] Time over which the tilt is predicted. If shorter: falls are detected later. If longer:
 // pushes, which end by themselves, cause a fault.
@@ -23,11 +24,11 @@ constexpr double kTiltPrediction = 0.1;
 // samples cause a fault. Shorter than the 2 s of fault_table().
 constexpr double kBatteryTime = 1.0;
 // Largest distance of the capture point outside the triangle of the other three feet at which a leg
-// is declared lost, as a share of the height of the centre of mass. Over this distance the damping
-// of the lost leg supports the body for long enough. Test: test_lost_leg.py.
+// is declared lost, as a share of the height of the centre of mass. Up to this distance, the
+// damping of the lost leg supports the body for long enough. Test: test_lost_leg.py.
 constexpr double kMaxOutside = 0.03;
-// [m g] With a larger external force no leg is declared lost, because the push will move the
-// capture point further.
+// [m g] With a larger horizontal external force no leg is declared lost, because the push will move
+// the capture point further.
 constexpr double kMaxPush = 0.1;
 // Share of missing samples above which kLoss is reported. The rows packet_loss of `surefoot faults`
 // bracket the value: 4 % must not be reported, 8 % must be.
@@ -94,14 +95,14 @@ void Supervisor::Impl::judge_loss_battery_and_operator(const LowState& state, do
   log.set(FaultId::kOperator, operator_silence > options.operator_timeout);
 }
 
-// The tilt is extrapolated with its rate, so that a fast fall leads to damping early.
+// Report kTilt if the tilt is too large, or will be within kTiltPrediction at its present rate.
 void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   if (!applies_torque()) {
     log.set(FaultId::kTilt, false);
     return;
   }
-  // A standing robot has the attitude of the StandController's estimator, and the gain fall_tilt is
-  // its limit.
+  // For a standing robot, use the attitude of the StandController's estimator, and the gain
+  // fall_tilt as the limit.
   Quaternion R = impedance.R_world_base();
   double max_tilt = is_raising_body() ? kFallTilt : kLyingFallTilt;
   if (is_standing()) {
@@ -130,7 +131,8 @@ void Supervisor::Impl::react() noexcept {
     if (log.report().has(stop_fault)) latch(stop_fault);
   }
   if (!applies_torque()) return;
-  // The sample fault is not latched here, because tick() first repeats the last command for 10 ms.
+  // The sample fault is not latched here: tick() first repeats the last command for 10 ms, and then
+  // latches this fault.
   const FaultId worst = log.report().first_active(FaultReaction::kDamp, sample_fault);
   if (worst != FaultId::kNone) latch(worst);
   const bool up = context.mode == Mode::kStand || context.mode == Mode::kRise;

@@ -14,7 +14,8 @@ namespace {
 // below 1. Measured with these values: at most 93 W at level 1 (100 W) in benchmarks/get_up.py; no
 // trip in benchmarks/false_trips.py.
 constexpr double kPlannedShare = 0.5;  // power of the holding torques in the rise plan
-// Limit of JointImpedance. Lower than kStandShare, because its measured velocities are 5 ms old.
+// Limit of JointImpedance. Lower than kStandShare, because JointImpedance uses measured velocities,
+// which are 5 ms old.
 constexpr double kLimitedShare = 0.8;
 constexpr double kStandShare = 0.9;  // limit of StandController
 constexpr Button kStopButton = Button::kB;
@@ -57,7 +58,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
   publish();
 }
 
-// Do the steps of a tick, see the class comment.
+// Do the five steps of a tick that the comment of Supervisor::Impl lists.
 const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   const double step = clock.advance(state.tick);
   const double dt = step > 0.0 ? std::min(step, TickClock::kMaxStep) : clock.period();
@@ -94,7 +95,8 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   return *out;
 }
 
-// The request is checked again, because the mode may have changed since another thread posted it.
+// Carry out a request. The request is checked again, because the mode may have changed since
+// another thread posted the request.
 void Supervisor::Impl::handle_request(int request) noexcept {
   if (request == Requests::kArm) {
     if (judge_arming(context) != RequestStatus::kAccepted) return;
@@ -102,7 +104,7 @@ void Supervisor::Impl::handle_request(int request) noexcept {
     context.mode = Mode::kPassive;
     context.armed = true;
     command_hold.reset();
-    clock_monitor = {};  // while the joints rest, ClockMonitor would keep its last verdict
+    clock_monitor = {};  // otherwise ClockMonitor keeps its last verdict while the joints rest
     for (const FaultId cleared :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(cleared, false);
@@ -119,13 +121,14 @@ void Supervisor::Impl::handle_request(int request) noexcept {
   }
 }
 
-// Take over a standing robot. Torques do not fade in, because the robot would sink during the fade.
+// Take over a robot that already stands. Torques do not fade in, because the robot would sink
+// during the fade.
 void Supervisor::Impl::take_over() noexcept {
   stand.reset();
   motors.reset();
   context.mode = Mode::kStand;
   context.armed = true;
-  stage = RiseStage::kUp;  // in any other stage sit() would only damp, as it does for a lying robot
+  stage = RiseStage::kUp;  // in any other stage sit() would only damp, as for a lying robot
   motion.start(1.0, impedance.q());
   rate_limiter.reset();
   fade.switch_to(TorqueSource::kController);

@@ -31,9 +31,10 @@ namespace surefoot {
 /// State machine of the Supervisor: its modes, and the steps of a tick.
 ///
 /// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise has the stages of
-/// RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves damping. In passive and damping
-/// only damping is sent; rise and sit use JointImpedance; stand uses StandController. TorqueFade
-/// blends the torques when the mode changes, except for a change to damping.
+/// RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves the mode damping. In the modes
+/// passive and damping, the motors only damp; rise and sit use JointImpedance; stand uses
+/// StandController. TorqueFade blends the torques when the mode changes, except for a change to
+/// damping.
 ///
 /// A tick has five steps:
 ///   1. read_sample() checks the LowState; an unusable LowState is a sample fault.
@@ -75,10 +76,10 @@ struct Supervisor::Impl {
   bool fresh = false;  // true if the last command was computed from the last sample
 
  private:
-  /// [s] A longer step of the tick must be confirmed by a second sample, because one tick may be
-  /// wrong. Chosen. Longer than kHoldTime, so that no command is repeated for such a step, and
-  /// longer than 13 ms: samples at 100 Hz with 3 ms of jitter. Shorter than the 17 ms that latch in
-  /// tests/cpp/test_supervisor_link.cpp.
+  /// [s] A longer step of LowState::tick must be confirmed by a second sample, because a single
+  /// tick may be wrong. Chosen. Longer than kHoldTime: after such a step no command is repeated any
+  /// more. Longer than 13 ms, the step of samples at 100 Hz with 3 ms of jitter. Shorter than 17
+  /// ms, the gap that must latch damping in tests/cpp/test_supervisor_link.cpp.
   static constexpr double kLongestStep = 0.015;
 
   bool read_sample(const LowState& state, double step, double dt) noexcept;
@@ -130,7 +131,8 @@ struct Supervisor::Impl {
   std::uint32_t last_tick = 0;
   bool state_received = false;  // true if a usable sample has arrived since the link was lost
   double bad_time = 0.0;        // [s] duration of the present series of unusable samples
-  double unchecked_time = 0.0;  // [s] time since the last sample that passed check_low_state()
+  // [s] Time since the last sample that passed check_low_state().
+  double unchecked_time = 0.0;
   ImuMonitor imu;
   JointMonitor joints;
   EncoderMonitor encoders;

@@ -13,12 +13,13 @@ const LowCmd& Supervisor::Impl::update_without_state(double age) noexcept {
   const bool known_age = age >= 0.0;  // neither negative nor NaN
   if (!known_age || age > kStaleTime) invalidate_state();
   publish();
-  // command_hold.age() is the duration of the unusable samples before this gap. So the sum of `age`
-  // and command_hold.age() is the age of the last good command.
+  // `age` is the age of the last sample. If that sample was unusable, command_hold.age() is the age
+  // that the last good command had then, otherwise 0. So the sum is the present age of the last
+  // good command.
   if (applies_torque() && known_age && age + command_hold.age() <= kHoldTime)
     return command_hold.last();
   motors.skip_command();
-  rate_limiter.set_damping_only(damping_kd);  // the next torques are limited as a change from zero
+  rate_limiter.set_damping_only(damping_kd);  // the next torques then rise from zero
   return command_hold.damp(damping_kd);
 }
 

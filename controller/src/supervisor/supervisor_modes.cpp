@@ -8,12 +8,12 @@ namespace surefoot {
 
 namespace {
 // The constants are chosen by hand.
-// [s] Time constant with which the joint reference stops while the impedance fades out. Much
-// shorter than TorqueFade::kTime.
+// [s] Time constant with which the joint reference comes to rest while JointImpedance fades out.
+// Much shorter than TorqueFade::kTime.
 constexpr double kRestTime = 0.03;
 // [rad] 20 degrees: largest joint error from q_standing for which the robot counts as standing. If
-// smaller: a robot in a pose that a BodyReference requested counts as sunk. If larger: a robot that
-// has sunk counts as standing. kPathTolerance and the arming checks use the same value.
+// smaller: a robot whose pose a BodyReference has changed counts as sunk. If larger: a robot that
+// has sunk counts as standing. kPathTolerance and kStandingTolerance have the same value.
 constexpr double kUprightTolerance = 0.35;
 }  // namespace
 
@@ -23,8 +23,9 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     motors.reset();
     fade.start(TorqueSource::kImpedance);
   } else if (mode == Mode::kSit && context.mode == Mode::kStand) {
-    // A robot that has sunk and was armed again must not rise first, so the motion starts at the
-    // present height.
+    // A robot may have sunk while the motors damped, and then have been armed again. It must not
+    // rise before it sits down, so the motion starts at the path position nearest to the present
+    // joints.
     const Vector12& q = impedance.q();
     const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
     motion.start(upright ? 1.0 : plan.nearest(q), q);
@@ -34,7 +35,7 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     if (mode == Mode::kStand) rise_abandoned = false;
     motion.go_to(mode == Mode::kSit ? 0.0 : 1.0);
   }
-  // A request to stand while sitting is a rise from the present position.
+  // A request to stand while the robot sits down starts a rise from the present path position.
   context.mode = mode == Mode::kStand ? Mode::kRise : mode;
 }
 
@@ -56,10 +57,11 @@ void Supervisor::Impl::sit(double dt) noexcept {
   if (!is_raising_body() || motion.arrived()) enter_passive();
 }
 
-// Fade to the motors' own damping. The robot lies or is nearly down.
+// Enter the mode passive, and fade to damping. The robot lies or is nearly down.
 void Supervisor::Impl::enter_passive() noexcept {
   context.mode = Mode::kPassive;
-  // A robot that was taken over while standing now lies, and must pass the checks.
+  // The robot lies now. Even if it was taken over standing, without checks, it must pass the arming
+  // checks before it rises.
   context.checks_waived = false;
   // No estimator runs while the robot lies, so nothing shows whether a fault that the estimator
   // found has ended. The operator must arm again.

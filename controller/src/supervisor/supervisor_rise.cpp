@@ -15,8 +15,9 @@ namespace {
 constexpr double kMinStartPosition = 0.2;
 // [rad] 20 degrees: largest distance of a joint from the path for such a start.
 constexpr double kPathTolerance = 0.35;
-// Share of the weight on the legs below which the robot hangs. Between hanging legs (0) and a robot
-// on its feet (1), as measured in the row hanging and in every rise of `surefoot faults`.
+// Share of the weight on the legs below which the robot hangs. Chosen between a hanging robot (0)
+// and a robot on its feet (1). The row hanging and every rise of `surefoot faults` bracket the
+// value.
 constexpr double kMinLoadShare = 0.35;
 
 bool any(const std::array<bool, kLegs>& legs) noexcept {
@@ -60,8 +61,9 @@ void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
   }
 }
 
-// Apply the legs' gravity torques, and check the result before the legs move. If the model is that
-// of a larger robot, the impedance for its legs would throw the legs of a smaller robot.
+// Apply the gravity torques of the model's legs, and check the measured torques before the legs
+// move. If the model is that of a larger robot, the joint impedance for the large legs would throw
+// the legs of the smaller robot.
 void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   light_leg_check.update(measured_torques(state), impedance.leg_gravity_torques(), dt);
   if (!light_leg_check.done()) return;

@@ -16,8 +16,8 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   const FaultId sit_fault = log.report().first_active(FaultReaction::kSit);
   const FaultId blocking_fault = log.report().has(FaultId::kButton) ? FaultId::kButton : sit_fault;
   arming.set_blocking_fault(sample_fault != FaultId::kNone ? sample_fault : blocking_fault);
-  // After a long gap or a restart, the samples of a lying robot may come from another robot. So the
-  // robot must be armed again.
+  // After a long gap or a restart, the samples may come from another robot. So a lying robot must
+  // be armed again.
   const double since_last_sample = 1e-3 * static_cast<std::int32_t>(state.tick - last_tick);
   if (state_received && !active() && !context.checks_waived && !arming.has_link_counts() &&
       std::abs(since_last_sample) > kStaleTime) {
@@ -28,7 +28,8 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   last_tick = state.tick;
   if (step < 0.0) {
     arming.count_missed();
-    // No motion depends on the clock now, so the new tick of a restarted robot is accepted.
+    // While the robot is not active, no motion depends on the clock. So the clock starts again, and
+    // accepts the new tick of a robot that has restarted.
     if (!active()) clock.reset();
   } else {
     arming.update(state, step);
@@ -41,7 +42,8 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   bad_time = sample_fault == FaultId::kNone ? 0.0 : bad_time + dt;
   if (bad_time > kStaleTime) {
     requests.take();
-    // For a robot without arming checks, requests are refused only because of state_valid.
+    // With arming checks, `ready` is already false and blocks requests. Without arming checks only
+    // state_valid can block them.
     if (context.checks_waived) context.state_valid = false;
   }
   // A robot that sits down on three legs must be armed again before it can rise.
@@ -58,9 +60,9 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   const Status status = check_low_state(state, robot.config());
   if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
   if (status != Status::kOk) return FaultId::kStateImplausible;
-  // The power protection runs on every plausible sample, also on samples that are rejected below,
-  // because an impact that makes the IMU jump takes power too. power_protect() does not read the
-  // command.
+  // The power protection runs on every plausible sample, also on samples that are rejected below:
+  // in an impact the IMU may jump, and the motors take much power at the same time. power_protect()
+  // does not read the command.
   const bool protect = applies_torque() && options.power_level > 0;
   if (!protect) safety.reset();
   log.set(FaultId::kPower,
@@ -69,15 +71,15 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   const bool joints_fit = joints.update(state, elapsed, stand.lost_leg());
   imu.update(state.imu, elapsed, !repeated.repeats(), context.mode != Mode::kStand);
   if (!joints_fit) return FaultId::kJointJump;
-  // A standing robot uses the attitude of its estimator. From the IMU it needs only plausible
-  // rates.
+  // A standing robot uses the attitude of its estimator. So the IMU's attitude may be implausible,
+  // but not its gyroscope.
   if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_standing()))
     return FaultId::kAttitude;
-  // After a gap longer than kRobotWatchdogTime the robot has damped by itself. A caller of
-  // count_samples() detects gaps itself and calls report_link_lost().
+  // After a gap longer than kRobotWatchdogTime the robot has damped by itself. If the caller uses
+  // count_samples(), it detects gaps itself and calls report_link_lost().
   if (active() && !arming.has_link_counts() && clock.gap() > kRobotWatchdogTime)
     return FaultId::kStaleTick;
-  // While the motors only damp, old values do no harm; only stopped sensors are a fault.
+  // While the motors only damp, old values do no harm. Then only stopped sensors are a fault.
   const bool old = active() ? repeated.too_old() : repeated.stopped();
   return old ? FaultId::kFrozen : FaultId::kNone;
 }

@@ -13,10 +13,11 @@ within the friction pyramids ``|f_x|, |f_y| <= mu f_z``. The torques are tau = -
 commands also have Kp = 0.8 and Kd = 0.8 around the measured angles. The QP has no gyroscopic term
 and no limits of force or torque; the torques are clipped afterwards.
 
-Differences from the source: mass, inertia and centre of mass are those of the whole robot, legs
-included; the QP itself has massless legs. mu comes from the robot's TOML, because with the value
-0.4 of the source the robot survives only smaller pushes. The state comes from
-surefoot.StateEstimator. The solver is NNLS (non-negative least squares).
+Here g is the vector of gravity, which points down. Differences from the source: mass, inertia and
+centre of mass are those of the whole robot, legs included, although the legs of the QP's model are
+massless. mu comes from the robot's TOML, because with the value 0.4 of the source the robot
+survives only smaller pushes. The state comes from surefoot.StateEstimator. The solver is NNLS
+(non-negative least squares).
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ W = np.tile([10.0, 10.0, 4.0], 4)
 U = np.full(12, 3.0)
 ALPHA, BETA = 0.001, 0.1
 KP_JOINT, KD_JOINT = 0.8, 0.8  # [N.m/rad], [N.m.s/rad]
-SERVO = 0x0A
+SERVO = 0x0A  # motor mode in comm.h of the SDK
 _SQRT_S, _SQRT_BETA_U = np.sqrt(S), np.sqrt(BETA * U)
 _PYRAMID_SIGNS = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
 

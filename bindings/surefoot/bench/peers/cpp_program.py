@@ -13,7 +13,8 @@ from surefoot.bench.peers.options import PeerError, PeerOptions
 from surefoot.files.atomic_write import atomic_path
 
 SOURCE_FOLDER = Path(__file__).parent / "cpp"
-# Flags of every implementation, all with the same compiler. There is no -march, as in the wheels.
+# Every implementation is compiled with the same compiler and these flags. There is no -march, as in
+# the wheels.
 FLAGS = ["-std=c++17", "-O3", "-DNDEBUG"]
 # Definitions of Pinocchio's own CMake targets; Pinocchio's types depend on these definitions.
 PINOCCHIO_DEFINES = [

@@ -22,8 +22,8 @@ def interleave(
     follows the same other implementation.
 
     Returns:
-        The ticks of each implementation that ran to the end, by name; and the reason of each
-        implementation that failed, by name.
+        The ticks of each implementation that ran to the end, by name; and for each implementation
+        that failed, by name, the reason of its failure.
     """
     reasons: dict[str, str] = {}
     played: dict[str, list[Ticks]] = {}

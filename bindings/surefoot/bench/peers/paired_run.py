@@ -25,7 +25,7 @@ class PairedResult:
         peers: Peers that were requested.
         versions: Versions of the packages of each implementation, by its name.
         ticks: Ticks of each implementation that ran to the end.
-        reasons: Reason of each implementation that did not run to the end.
+        reasons: For each implementation that did not run to the end, the reason.
     """
 
     language: str

@@ -16,8 +16,8 @@ class Peer:
         name: Name in the figures.
         environment: Python environment of the peer.
         script: Python worker, a file in workers/.
-        cpp_program: C++ worker, or None; it links the libraries of the environment.
-        tick_description: Calls that are timed.
+        cpp_program: C++ worker, linked with the libraries of the environment. None: there is none.
+        tick_description: Calls of the peer's API that are timed as one tick.
         problem_differences: Differences between the peer's problem and Surefoot's.
     """
 

@@ -21,8 +21,10 @@ from surefoot.bench.problems import SCENARIOS
 from surefoot.bench.problems.scenarios import PUSH_TIMES
 from surefoot.bench.recording import Recording
 
-# Stiffness [1/s^2] and damping [1/s], the same for all axes of a task as PlaCo requires.
-# Chosen: kp = w^2, kd = 2 zeta w; com and base critically damped (w = 10, 20), foot zeta 0.5.
+# Stiffness kp [1/s^2] and damping kd [1/s] of each task. All axes of a task have the same values,
+# because PlaCo has one pair of values per task. Chosen: kp = w^2 and kd = 2 zeta w, where w is the
+# natural frequency [rad/s] and zeta the damping ratio. (w, zeta): com (10, 1), base (20, 1), foot
+# (50, 0.5).
 TASK_GAINS = {"com": (100.0, 20.0), "base": (400.0, 40.0), "foot": (2500.0, 50.0)}
 POSTURE_GAINS = (100.0, 20.0)
 # Weight of the posture task in the units of our QP. Chosen: with a smaller weight the posture is
@@ -35,11 +37,12 @@ class Problem:
     """Robot, states and targets.
 
     Attributes:
-        robot: Robot of our whole tick, with the robot's own gains and the peers' posture task.
-        point_robot: Robot of our tick from state to torque. It has contact points at the foot
-            frames, as the peers have, and the gains from peer_equivalent_gains().
+        robot: Robot model for StandController. It has the robot's own gains, except that the
+            posture task has POSTURE_WEIGHT.
+        point_robot: Robot model for WholeBodyController. It has contact points at the foot frames,
+            as the peers have, and the gains from peer_equivalent_gains().
         q: (n, nq) estimated configurations of the run, in Pinocchio's order.
-        v: (n, nv) estimated velocities.
+        v: (n, nv) estimated velocities, in Pinocchio's order.
         targets: (n, 7) desired centre of mass [m] and base orientation (quaternion x y z w).
         hold: Reference that holds the first state.
         urdf: URDF of the robot.

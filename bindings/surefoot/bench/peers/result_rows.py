@@ -70,7 +70,8 @@ def _row(
 def exclusion_reason(row: dict[str, Any]) -> str | None:
     """Return why the times of a row do not count; None if they count.
 
-    They do not count if the peer did not run, had unsolved ticks, or gave another answer.
+    They do not count if the peer did not run or gave another answer, or if the peer or Surefoot had
+    unsolved ticks.
     """
     if row["reason"] is not None:
         return str(row["reason"])

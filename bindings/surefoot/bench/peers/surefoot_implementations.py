@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from surefoot._core import LowState, StandController, WholeBodyController, is_usable
 from surefoot.bench.peers.problem import Problem
 
-WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3
+WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3  # columns of Ticks; FORCES and TORQUES are the first columns
 TORQUES = FORCES + 12
 Ticks = NDArray[np.float64]
 """One row per tick: wall time [ns], CPU time [ns], solved, forces (12) [N], torques [N.m]."""
@@ -68,7 +68,11 @@ class WholeTick:
         self._low_states = low_states
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """See Implementation; forces and torques stay zero, because the whole tick solves more."""
+        """See Implementation.
+
+        Forces and torques stay zero: they cannot be compared with those of the peers, because the
+        whole tick solves a larger problem.
+        """
         if first == 0:
             self._controller.reset()  # otherwise the controller's clock would go backwards
         update = self._controller.update

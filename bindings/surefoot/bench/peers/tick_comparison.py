@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from surefoot.bench.peers.surefoot_implementations import CPU, FORCES, SOLVED, TORQUES, WALL, Ticks
 from surefoot.bench.timing_statistics import distribution
 
-# Chosen: larger than the differences that other weights of the forces cause
-# (docs/benchmarks/peers.md). A larger difference means that the peer solved another problem.
-FORCE_TOLERANCE = 0.03  # allowed difference of a foot force before the first push / weight
-TORQUE_TOLERANCE = 0.05  # allowed difference of a torque / largest torque before the first push
+# Largest differences between our answer and that of a peer, before the first push, for which both
+# count as the same answer. Chosen: the peers weight the contact forces differently, which causes
+# smaller differences than these (docs/benchmarks/peers.md).
+FORCE_TOLERANCE = 0.03  # of a foot force, as a share of the robot's weight
+TORQUE_TOLERANCE = 0.05  # of a joint torque, as a share of our largest joint torque
 SAME_ANSWER = "same answer"
 
 
@@ -43,8 +44,9 @@ def compare_answers(
         calm: (n,) true for the ticks before the first push.
 
     Returns:
-        The largest differences, the number of ticks whose torques differ by more than
-        TORQUE_TOLERANCE, and "verdict": whether the answers agree before the first push.
+        The largest differences; "ticks_apart", the number of ticks in which a torque differs by
+        more than TORQUE_TOLERANCE; and "verdict", which is SAME_ANSWER if the answers agree before
+        the first push, and otherwise states the difference.
     """
     force = _max_force_difference(our_ticks, peer_ticks)
     calm_force = float(force[calm].max())

@@ -8,19 +8,20 @@ import pinocchio
 from surefoot._core import Gains, Robot
 
 GRAVITY = 9.81
-# [1/N^2] Weight of contact forces. Our QP weights the distance to forces that fulfil the tasks.
-# TSID weights the distance to a quarter of the robot's weight, PlaCo the force itself. The value is
-# low enough not to disturb the peers' tasks.
+# [1/N^2] Weight of the contact forces in the cost of the peers. TSID penalises the deviation of
+# each force from m g / 4 upward, PlaCo the force itself. (Our QP penalises the deviation from the
+# even forces.) Chosen: so small that the peers' other tasks are not disturbed.
 FORCE_WEIGHT = 1e-6
 
 
 def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
     """Compute the weights of squared accelerations (com, base, posture) and forces; com is 1.
 
-    Our QP divides each acceleration by a scale: the acceleration that a quarter of the robot's
-    weight on one foot causes. For the centre of mass, this function uses the same scale. For the
-    base, this function computes the scale from the inertia of the robot with locked joints, which
-    is almost the scale of the QP.
+    Our QP divides each acceleration by a scale. A force of m g / 4 on one foot causes an
+    acceleration; the scale is the root of the sum of its squares over the four feet. So the scale
+    of the centre of mass is g / 2. For the base, this function computes the scale from the inertia
+    of the robot with locked joints, which gives almost the scale of the QP. For the posture, the
+    scale is g / leg length.
 
     Args:
         robot: Robot, evaluated in its standing pose.

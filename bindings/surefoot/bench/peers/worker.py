@@ -135,8 +135,9 @@ def worker_factory(
 ) -> Callable[[], Worker]:
     """Return a factory of a worker.
 
-    `command` is called at once, because it may take minutes. If `command` fails, the factory raises
-    its PeerError.
+    `command` returns the command line of the worker, and may compile the worker first, which takes
+    minutes. So `command` is called at once and not by the factory. If `command` fails, the factory
+    raises PeerError with the reason.
     """
     try:
         command_line = command()

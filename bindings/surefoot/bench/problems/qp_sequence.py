@@ -16,8 +16,8 @@ from surefoot.files.corrupt_npz import CORRUPT_NPZ
 
 Array = npt.NDArray[np.float64]
 FORMAT = "surefoot-qp-sequence-1"
-# Magnitude from which a bound counts as missing. Numerical: ProxQP's value for infinity, larger
-# than any force or acceleration.
+# A bound of this magnitude or more counts as infinite. Numerical: ProxQP's value for infinity;
+# every force and acceleration is far smaller.
 NO_BOUND = 1e20
 _ARRAYS = ("H", "g", "A", "b", "C", "l", "u")
 

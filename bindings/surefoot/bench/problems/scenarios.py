@@ -18,11 +18,11 @@ from surefoot._core import (
 from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings, Push
 
-# The duration of the pushes of `surefoot assess`; between the pushes the robot settles.
-PUSH_DURATION = 0.1  # [s] duration of a push
-PUSH_TIMES = (1.0, 4.0)  # [s] start of the lateral push, and of the forward push
+PUSH_DURATION = 0.1  # [s] duration of a push, as in `surefoot assess`
+# [s] Start of the lateral push, and of the forward push. Chosen: the robot settles in between.
+PUSH_TIMES = (1.0, 4.0)
 # Ratio of the torque limit to the largest standing torque in the scenario "weak". Chosen: with a
-# ratio below 1 the robot cannot stand; with a larger ratio the torque limits are never active.
+# ratio below 1 the robot cannot stand; with a ratio far above 1.3 no torque limit becomes active.
 WEAK_TORQUE_FACTOR = 1.3
 # Friction coefficient that the controller assumes in the scenario "slippery". Chosen so that
 # friction cones are active. The ground has 1.5 times this value, so that the robot stands.
@@ -57,8 +57,8 @@ class Scenario:
         push: Impulse of the pushes as a share of the LIP push limit; 0 for no push.
         friction: Friction coefficient of the ground; the controller assumes 2/3 of this value.
             None: the ground has 0.8, and the controller assumes its configured value.
-        torque_factor: Torque limit of the controller over the largest standing torque. None: the
-            limits of the motors.
+        torque_factor: Torque limit of the controller, divided by the largest standing torque; no
+            limit exceeds that of its motor. None: the limits of the motors.
         body_reference: Function of time [s] that returns the body reference, which is set before
             every tick. None: the pose is held.
     """

@@ -26,9 +26,9 @@ from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 
 LIFTED_LEG = 0  # FR
-# Chosen: slow, so that the motion is quasi-static; feet clear the ground by one and a half radii.
-SHIFT_TIME, UNLOAD_TIME, LIFT_TIME, REST_TIME = 1.5, 0.3, 0.4, 0.8  # [s] durations of the phases
-LIFT_HEIGHT = 0.03  # [m] height of the lifted foot
+# [s] Durations of the phases. Chosen: slow, so that the motion is quasi-static.
+SHIFT_TIME, UNLOAD_TIME, LIFT_TIME, REST_TIME = 1.5, 0.3, 0.4, 0.8
+LIFT_HEIGHT = 0.03  # [m] height of the lifted foot; chosen: about 1.5 foot radii
 UP = np.array([0.0, 0.0, 1.0])
 DURATION = 2 * (SHIFT_TIME + UNLOAD_TIME + LIFT_TIME) + 2 * REST_TIME
 
@@ -38,8 +38,9 @@ class StancePlan:
     """Progress of the three-legged stance, each value 0 .. 1.
 
     Attributes:
-        com_shift: Displacement of the centre of mass; 0 at the start, 1 above the three feet.
-        load: Planned load of the lifted foot.
+        com_shift: Horizontal displacement of the centre of mass: 0 at its initial position, 1 above
+            the centroid of the three other feet.
+        load: Planned load of the foot that is lifted.
         lift: Height of the lifted foot, as a share of LIFT_HEIGHT.
     """
 

@@ -1,4 +1,4 @@
-"""Binary files that the solver executables read and write: float64 values."""
+"""Binary files that the solver executables read (QPs) and write (records of solves)."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ import numpy.typing as npt
 from surefoot.bench.problems.qp_sequence import QpSequence
 
 MAGIC = b"SFQPSEQ1"
-# Fields of the record of one solve: times [ns], status, counts (-1: not reported), residuals, and
-# distance to the reference answer.
+# Fields of the record of one solve, all float64: times [ns]; status
+# (benchmarks/solvers/adapter.hpp); counts (iterations is -1 if the solver does not report it);
+# residuals of the optimality conditions ("gap" is the complementarity, see
+# benchmarks/solvers/residuals.hpp); and the largest difference of a variable from the reference
+# answer.
 FIELDS = (
     "wall_ns",
     "cpu_ns",
@@ -27,7 +30,12 @@ Records = dict[str, npt.NDArray[np.float64]]
 
 
 def write_raw(sequence: QpSequence, path: Path) -> None:
-    """Write MAGIC, int64 n, equalities, inequalities, ticks, then H, g, A, b, C, l, u."""
+    """Write the QPs of a sequence to a binary file.
+
+    The file starts with MAGIC. Then follow four int64: the numbers of variables, equalities,
+    inequalities and ticks. Then follow the arrays H, g, A, b, C, l, u as float64, each for all
+    ticks.
+    """
     size = (sequence.g.shape[1], sequence.b.shape[1], sequence.l.shape[1], len(sequence))
     with path.open("wb") as file:
         file.write(MAGIC)
@@ -37,7 +45,11 @@ def write_raw(sequence: QpSequence, path: Path) -> None:
 
 
 def read_records(path: Path, ticks: int) -> Records:
-    """Return the fields of a run by name, (ticks,) each; NaN in ticks that were not reached."""
+    """Read the records of a run.
+
+    Returns:
+        For each name of FIELDS an array of shape (ticks,); NaN in ticks that the run did not reach.
+    """
     rows = np.full((ticks, len(FIELDS)), np.nan)
     if path.is_file():
         found = np.fromfile(path).reshape(-1, len(FIELDS))

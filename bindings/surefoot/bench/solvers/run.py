@@ -18,7 +18,8 @@ from surefoot.bench.solvers.solver_statistics import ACCEPT_FACTOR, solver_stati
 from surefoot.system.machine import describe_machine
 
 MODES = ("warm", "cold")
-# Chosen: TOLERANCE is sufficient for a controller; the reference is six decades tighter.
+# Chosen: TOLERANCE is sufficient for a controller. The reference answers are computed with a
+# tolerance that is 1e6 times smaller.
 TOLERANCE, REFERENCE_TOLERANCE = 1e-6, 1e-12  # tolerances on the residuals
 _REFERENCE_SOLVER = "surefoot"
 Runs = dict[str, dict[str, list[tuple[Records | None, str | None]]]]
@@ -38,7 +39,7 @@ def run_solvers(
         solvers: Names of SOLVERS or of extra adapters. None: all SOLVERS.
         repeats: Number of runs over each sequence; the solvers take turns.
         folder: Build folder of the executables. None: a folder in the user's cache.
-        extra: Adapter files besides those of the repository.
+        extra: Files of further adapters, which the repository does not have.
 
     Raises:
         Error: A name is unknown, or CMake or the sources are missing.
@@ -83,8 +84,9 @@ def _run_sequence(
         work = SolverFiles(folder / "sequence", None, len(sequence), folder / "records")
         reference: float | None = None
         if isinstance(reference_program, Path):
-            # Rounding errors exceed this tolerance, so the solver may report a failure. Its answers
-            # are still the most accurate answers available.
+            # Rounding errors exceed REFERENCE_TOLERANCE, so the solver may report a failure. The
+            # answers are still the most accurate ones available. run_program() writes the answers
+            # to a file, and returns the records of their solves.
             answers, _ = run_program(
                 reference_program, work, "warm", REFERENCE_TOLERANCE, folder / "answers"
             )

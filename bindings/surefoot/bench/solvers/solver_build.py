@@ -14,7 +14,9 @@ from surefoot._core import Error
 from surefoot.bench.solvers.solver_paths import PEERS_VARIABLE, cmake_definitions, solver_sources
 
 CASADI, EIQUADPROG = "CASADI_DIR", "EIQUADPROG_PREFIX"
-# CMake variables that each solver needs; _WHEELS has the packages for these variables.
+# CMake variables that each solver needs; _WHEELS has the package that provides each variable. The
+# casadi wheel contains the libraries and headers of DAQP, qpOASES, OSQP, HPIPM and PIQP. The
+# adapters call these solvers directly, without CasADi's interface.
 SOLVERS: dict[str, tuple[str, ...]] = {
     "surefoot": ("EIGEN_INCLUDE",),
     "proxqp": ("EIGEN_INCLUDE", "PROXSUITE_INCLUDE"),
@@ -25,7 +27,7 @@ SOLVERS: dict[str, tuple[str, ...]] = {
     "hpipm": (CASADI,),
     "piqp": ("EIGEN_INCLUDE", CASADI),
 }
-BASELINE = "null"
+BASELINE = "null"  # adapter that solves nothing; its time is the overhead in all other times
 _WHEELS = {
     CASADI: "casadi==3.8.2",
     EIQUADPROG: "eiquadprog==1.3.0",
@@ -39,7 +41,7 @@ class SolverBuilder:
 
     Args:
         folder: Build folder. None: a folder in the user's cache, named by a hash of the settings.
-        extra: Adapter files besides those of the repository; an executable is named after its file.
+        extra: Files of further adapters; each executable is named after its file.
 
     Raises:
         Error: CMake or the sources are missing, or the configuration failed.

@@ -11,7 +11,9 @@ from pathlib import Path
 import surefoot
 from surefoot._core import Error
 
-PEERS_VARIABLE = "SUREFOOT_PEERS"  # environment variable: folder of packages, or of an environment
+# Name of the environment variable that names one folder: a site-packages folder, a virtual
+# environment, or a folder with several virtual environments.
+PEERS_VARIABLE = "SUREFOOT_PEERS"
 _REPOSITORY = Path(__file__).resolve().parents[4]
 
 
@@ -54,14 +56,14 @@ def cmake_definitions() -> dict[str, str]:
 
 
 def package_folders() -> Iterator[Path]:
-    """Yield folders of packages: those of this environment first, then those of the peers."""
+    """Yield site-packages folders: first those of this interpreter, then those of the peers."""
     yield package_folder().parent
     for entry in sys.path:
         if entry and Path(entry).name in ("site-packages", "dist-packages"):
             yield Path(entry)
     given = os.environ.get(PEERS_VARIABLE)
-    # Use an absolute path, because CMake resolves relative paths from another folder. bench --peers
-    # makes the default folder.
+    # `surefoot bench --peers` installs the peers in .venv-peers. Use an absolute path, because
+    # CMake resolves a relative path from the build folder.
     root = Path(given or ".venv-peers").absolute()
     yield root
     yield from sorted(root.glob("lib/python3*/site-packages"))
@@ -76,7 +78,7 @@ def _add_if_installed(found: dict[str, str], name: str, folder: Path, probe_file
 
 
 def _version(name: str, site: Path) -> str:
-    # A package in this folder may be a link into another folder, so search sys.path too.
+    # The package may be a symbolic link without its .dist-info, so search sys.path too.
     for distribution in importlib.metadata.distributions(name=name, path=[str(site), *sys.path]):
         return distribution.version
     return "unknown"

@@ -1,4 +1,4 @@
-"""Run of one solver over one sequence, in a separate process, because solvers may crash."""
+"""Run of one solver over one sequence of QPs, in a separate process: a solver may crash."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ import numpy as np
 from surefoot.bench.solvers.raw_file import Records, read_records
 
 NO_WARM_START_EXIT = 3  # exit status of a solver that cannot warm start
-# Chosen: a sequence takes seconds; a solver that hangs must end.
-TIME_LIMIT = 300.0  # [s] longest time of a solver for a sequence
+# [s] Longest time of a solver for a sequence. Chosen: a sequence usually takes seconds; this limit
+# ends a solver that hangs.
+TIME_LIMIT = 300.0
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,11 @@ class SolverFiles:
 
 
 def describe_solver(program: Path) -> dict[str, str]:
-    """Return the interface, version, settings and warm start that an executable reports."""
+    """Return the texts that an executable reports about its solver.
+
+    "interface" is the language of the solver's API, "version" and "settings" are those of the
+    solver, and "warm_start" states what the solver keeps from one tick to the next.
+    """
     done = subprocess.run([program, "describe"], capture_output=True, text=True, check=False)
     names = ("name", "interface", "version", "settings", "warm_start")
     lines = [*done.stdout.splitlines()[-len(names) :], *[""] * len(names)]
@@ -44,9 +49,18 @@ def describe_solver(program: Path) -> dict[str, str]:
 def run_program(
     program: Path, work: SolverFiles, mode: str, tolerance: float, write: Path | None = None
 ) -> tuple[Records | None, str | None]:
-    """Run a solver; return its records, and the reason why the solver did not reach the end.
+    """Run a solver over a sequence.
 
-    The records are None if the solver has no warm start. The reason is None after a full run.
+    Args:
+        program: Executable of the solver.
+        work: Files of the sequence.
+        mode: "warm": each solve may start from the result of the last tick; or "cold".
+        tolerance: Tolerance that the solver has to meet.
+        write: File to which the executable writes its answers. None: they are not written.
+
+    Returns:
+        The records, and the reason why the run stopped early (None after a full run). In mode
+        "warm" the records are None if the solver has no warm start.
     """
     work.records.unlink(missing_ok=True)
     arguments: list[str | Path] = [

@@ -1,4 +1,4 @@
-"""Statistics of the records of a run."""
+"""Statistics of the records that a solver's runs over a sequence wrote."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy.typing as npt
 from surefoot.bench.solvers.raw_file import Records
 from surefoot.bench.timing_statistics import PERCENTILES
 
-NO_STATUS, SOLVED, FAILED = 0, 1, 2
-# A solution is wrong if a residual exceeds this factor times the requested tolerance. The factor is
-# that of the controller's check.
+NO_STATUS, SOLVED, FAILED = 0, 1, 2  # SolveStatus in benchmarks/solvers/adapter.hpp
+# A solution is wrong if a residual exceeds this factor times the requested tolerance. The
+# controller checks its own solutions with the same factor.
 ACCEPT_FACTOR = 5.0
 Bools = npt.NDArray[np.bool_]
 

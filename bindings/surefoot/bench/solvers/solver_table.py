@@ -23,10 +23,11 @@ HEADER: tuple[str, ...] = (
     "interface",
 )
 NOTE = (
-    "Times of update and solve per tick. failed: the solver reports a failure, or crashed. wrong: "
-    "primal residual,\ndual residual or complementarity of the answer above {accepted:g}, computed "
-    "here. undetected: reported as solved\nbut wrong. cpu: CPU time of the thread, which includes "
-    "the reading of the clock."
+    "Times of one solve, with all conversions that the format of the solver requires. failed: the "
+    "solver reports a failure,\nor crashed. wrong: primal residual, dual residual or "
+    "complementarity of the answer above {accepted:g}; the benchmark\ncomputes them in the same "
+    "way for all solvers. undetected: reported as solved but wrong. cpu: CPU time of the\nthread, "
+    "which includes the reading of the clock. interface: language of the solver's API."
 )
 
 

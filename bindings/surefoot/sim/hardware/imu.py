@@ -9,15 +9,15 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
 
-# The values are assumed, because Unitree names no IMU and publishes no data sheet. They must be
-# below the limits of the arming checks (0.05 rad/s, 5 % of g), which a healthy robot must pass. For
-# comparison: public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2, and
+# The values are assumed, because Unitree names no IMU and publishes no data sheet. Upper bounds are
+# the limits of the arming checks (0.05 rad/s, 5 % of g): a healthy robot must pass these checks.
+# For comparison: public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2, and
 # benchmarks/estimation uses larger biases.
 GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
 GYRO_BIAS = 0.005  # [rad/s] bound of the uniform draw of the constant bias
 ACCELEROMETER_NOISE = 0.05  # [m/s^2] standard deviation of a sample
 ACCELEROMETER_BIAS = 0.05  # [m/s^2] bound of the uniform draw of the constant bias
-# [s] Period of the real IMU and its attitude filter: LowState arrives at 1 kHz.
+# [s] Period of the real IMU and its attitude filter: a real robot sends LowStates at 1 kHz.
 SAMPLE_PERIOD = 0.001
 
 

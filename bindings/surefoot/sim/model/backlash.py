@@ -19,10 +19,10 @@ import mujoco
 from surefoot._core import Error, Robot
 from surefoot.sim.settings import PlantSettings
 
-# Contact of the teeth, chosen. Tests: test_plant_backlash.py. Critically damped: the teeth separate
-# with a tenth of their speed. Stiff: the teeth yield by 0.001 deg under the torques of a standing
-# robot. The time constant of 2 ms is four default physics steps. [0.001, 0.5, 2.0] are MuJoCo's
-# defaults.
+# Contact of the teeth. Tests: test_plant_backlash.py. Chosen: critically damped, so that after an
+# impact the teeth separate with a tenth of their speed; and so stiff that the teeth yield by only
+# 0.001 deg under the torques of a standing robot. The time constant of 2 ms is four default physics
+# steps. [0.001, 0.5, 2.0] are MuJoCo's defaults.
 TOOTH_SOLREF = [0.002, 1.0]
 TOOTH_SOLIMP = [0.999, 0.999, 0.001, 0.5, 2.0]
 # The armature is the rotor's inertia, but MuJoCo needs a body with mass for the coordinate.

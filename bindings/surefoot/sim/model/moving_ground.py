@@ -25,7 +25,7 @@ BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)
 # [m] Initial height of the block's top above the ground, so that the foot touches only the block.
 BLOCK_PROTRUSION = 0.001
 # Mass of the block [kg], and moment of inertia of the platform [kg.m^2]. The weight of a b1 (550 N)
-# changes the velocity by 1e-6 m/s in a control period. With larger values the solver loses
+# changes the block's velocity by 1e-6 m/s in a control period. With larger values the solver loses
 # precision (physics/hanging.py).
 GROUND_INERTIA = 1e6
 

@@ -1,8 +1,8 @@
 """External lifts: a person or a crane lifts the trunk, or one foot of a standing robot.
 
 A lift is a spring and a damper between the lifted part and a target point. The target point is
-above the position of the part at the start of the grip. The grip closes and opens within a few
-milliseconds, so foot loads vanish and return faster than any motion of a leg could cause.
+above the position of the part at the start of the grip. The grip closes and opens within Lift.ramp,
+by default 20 ms, so foot loads vanish and return faster than any motion of a leg could cause.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Finds mj_step1() and mj_step2() of any MuJoCo version, which C++ calls in a loop."""
+"""Finds mj_step1() and mj_step2() of the installed MuJoCo; C++ calls both in a loop."""
 
 from __future__ import annotations
 

@@ -21,7 +21,8 @@ from surefoot.sim.settings import Push
 class PhysicsLoop:
     """Advances the simulation, with one call of C++ for all steps until the next event.
 
-    Events are a scheduled motor law, a push and an external lift.
+    An event is the time at which a scheduled motor law takes effect, or a step in which a push or
+    an external lift acts.
 
     Args:
         model: MuJoCo's model.

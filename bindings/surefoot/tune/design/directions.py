@@ -23,7 +23,9 @@ AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
 
 @dataclass(frozen=True)
 class Direction:
-    """Direction of body motion with fixed feet, modelled per unit of its inertia.
+    """One direction of body motion with fixed feet: a mass or inertia that moves on its own.
+
+    Forces are divided by `inertia`, so they have the unit of an acceleration.
 
     Attributes:
         name: x, y, z of the centre of mass, or roll, pitch, yaw of the base; in base axes.
@@ -33,9 +35,9 @@ class Direction:
             because friction hardly changes the stability boundary (docs/how-to/design-gains.md).
         viscous: Deceleration by viscous friction of the joints, per speed [1/s].
         base_motion_ratio: Displacement of the base origin per displacement of the centre of mass.
-        external_acceleration_ratio: Ratio of lost planned acceleration to estimated external
-            acceleration, when no external force acts: base_motion_ratio * mass / inertia; 1 for
-            rotations.
+        external_acceleration_ratio: Ratio r. If the estimator reports an external acceleration e
+            although no external force acts, the motors accelerate the body by r e less than
+            planned. r = base_motion_ratio * mass / inertia; 1 for rotations.
         limits: Table (n, 2) with increasing rows: desired acceleration, and acceleration that the
             QP achieves [m/s^2 or rad/s^2].
         push_velocity: Velocity after a push of half the LIP push limit [m/s or rad/s].

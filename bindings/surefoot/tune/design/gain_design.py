@@ -28,7 +28,7 @@ class AxisDesign:
         name: One of AXES.
         goal: Desired frequency and damping; without a goal, those of the robot's own gains.
         uses_robot_gains: True if the axis has no goal and keeps the robot's own gains.
-        direction: Direction with the smallest boundary.
+        direction: Direction with the smallest Margins.boundary.
         margins: Margins of `direction`.
         directions: Margins of all directions of the axis.
     """

@@ -15,20 +15,21 @@ from typing import Any
 from surefoot.tune.design.directions import Direction
 from surefoot.tune.design.timing import Observers, Timing
 
-# Derived: the fine physics step of surefoot.sim.
-_MAX_STEP = 0.0005  # [s] longest time step of motor and body, as in the simulated robot
+# [s] Longest time step of motor and body: the default physics step of the simulated robot.
+_MAX_STEP = 0.0005
 # Copy of LegForces::kFilterTime.
 _FORCE_FILTER_TIME = 0.005  # [s] filter time of the ground forces computed from torques
 # Constants of the PushObserver, copied from
 # controller/src/estimator/external_wrench/push_observer.cpp:
-# - _NOISE_BANDS: innovation above which the filter time is shortened, as a multiple of
+# - _NOISE_BANDS (kNoiseLevel): innovation above which the filter time is shortened, as a multiple of
 #   push_dead_band;
-# - _HALVING_BANDS: excess of the innovation that halves the filter time, as a multiple of
-#   push_dead_band;
-# - _MIN_TIME_RATIO: shortest filter time as a share of push_time;
-# - _MAX_SURPRISE_TIME [s]: limit of surprise_time, the duration of large innovations; only below
-#   this limit, large innovations shorten the filter time;
-# - _SURPRISE_DECAY [1]: decrease of surprise_time per time with small innovations.
+# - _HALVING_BANDS (kHalvingLevel): amount by which the innovation must exceed this value to halve the
+#   filter time, as a multiple of push_dead_band;
+# - _MIN_TIME_RATIO (kMinTimeScale): shortest filter time as a share of push_time;
+# - _MAX_SURPRISE_TIME [s] (kMaxInnovationTime): limit of surprise_time, the duration of large
+#   innovations; only below this limit, large innovations shorten the filter time;
+# - _SURPRISE_DECAY [1] (kInnovationTimeDecay): decrease of surprise_time per time with small
+#   innovations.
 _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DECAY = (
     3.0,
     1.0,
@@ -39,9 +40,11 @@ _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DEC
 # MuJoCo's dry friction is a soft constraint: x'' = -b x', limited to the friction force. By default
 # (solreffriction, solimpfriction) b is 2 / (0.95 * 20 ms) and the impedance is 0.9.
 _FRICTION_RATE, _FRICTION_IMPEDANCE = 2.0 / (0.95 * 0.02), 0.9
-# States of the loop: position, velocity, motor acceleration, acceleration; values at the last two
-# samples; planned acceleration of the base in the last three ticks; states of the push and payload
-# observers. In the state vector, the commands in flight follow after these, newest first.
+# States of the loop. Line 1: position, velocity, acceleration that the motors cause, acceleration;
+# then the values of x, v, a at the last sample (1) and at the sample before (2). Line 2: planned
+# acceleration of the base, newest first ("made", "planned_base1", "planned_base2"); then the states
+# of the push and payload observers. In the state vector, the commands in flight follow after these
+# states, newest first.
 STATES = (
     *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
     *("made", "planned_base1", "planned_base2", "push", "payload", "force", "surprise_time"),
@@ -82,8 +85,8 @@ class Tick:
         state, gains = ca.SX.sym("state", self.state_count), ca.SX.sym("gains", 2)
         s = {name: state[k] for k, name in enumerate(STATES)}
         sent = [state[len(STATES) + k] for k in range(self._commands_in_flight)]
-        # The gyroscope measures the mean rate over the tick. The accelerometer propagates the
-        # estimated velocity, so this velocity has no lag.
+        # The gyroscope measures the mean angular velocity over the tick. The estimator integrates
+        # the accelerometer to get the linear velocity, so the linear velocity has no lag.
         speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
         push, surprise_time, push_estimate = self._update_push_observer(s, linear)
         external = self.observers.push_resist * push_estimate + s["payload"]

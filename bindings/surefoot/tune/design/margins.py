@@ -17,14 +17,15 @@ from surefoot.tune.design.timing import Observers, Timing
 # gains.md).
 MAX_GAIN_FACTOR = 30.0  # largest gain margin that is searched
 MIN_GAIN_FACTOR = 0.02  # smallest gain margin that is searched
-# Chosen: the goals (FREQUENCY_RANGE) and far above them; bounds the search at high rates.
-FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] range searched for the greatest stable frequency
+# [Hz] Range searched for the greatest stable frequency. Chosen: the upper end is far above all
+# goals (FREQUENCY_RANGE), and bounds the search for loops with a high rate.
+FREQUENCY_SEARCH_RANGE = (0.2, 40.0)
 # [s] Shortest duration of a run, and durations of the windows at its end and at its beginning.
 # oscillates() compares the accelerations in both windows. Chosen. Slow loops run for longer.
 _RUN_TIME, _END_WINDOW, _START_WINDOW = 2.4, 0.4, 0.2
-# Largest ratio of the accelerations in the last and the first window that counts as decayed.
-# Chosen: larger than the ratio that remains after friction has stopped the motion. With a larger
-# value, a slow oscillation would count as decayed.
+# Largest ratio of the peak-to-peak acceleration in the last window to that in the first window, for
+# which an oscillation counts as decayed. Chosen: larger than the ratio that remains after friction
+# has stopped the motion. With a larger value, a slowly growing oscillation would count as decayed.
 _DECAY_RATIO = 0.05
 # Numerical: rounding of the eigenvalues of an integrator, whose radius is 1.
 _STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable
@@ -39,9 +40,9 @@ class Margins:
         pole_damping: Damping ratio of the same pole; 1 for a real pole.
         spectral_radius: Greatest magnitude of a pole; the loop at rest is stable below 1.
         gain_up: Factor above 1 on kp and kd at which the loop at rest, without friction, becomes
-            unstable.
-        gain_down: Factor below 1 on kp and kd at which the loop at rest becomes unstable; 0 if it
-            stays stable.
+            unstable; MAX_GAIN_FACTOR if the search found none.
+        gain_down: Factor below 1 on kp and kd at which the loop at rest becomes unstable; 0 if the
+            search found none.
         delay: Additional delay [s] at which the loop at rest becomes unstable.
         boundary: Smallest factor on kp and kd at which the oscillation after a push does not decay.
         push_delay: Smallest additional delay [s] at which the oscillation after a push does not
@@ -125,7 +126,7 @@ def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the smallest factor on kp and kd at which the oscillation after a push stays.
 
     The model includes dry friction, the dead band of the push observer and the limits of the QP.
-    0: the loop oscillates at all smaller gains too.
+    0: the loop also oscillates at all smaller factors that were tried, down to 0.05.
     """
 
     def unstable(factor: float) -> bool:

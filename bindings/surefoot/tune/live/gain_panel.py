@@ -94,7 +94,7 @@ class GainPanel:
     def _store(self, slot: str) -> None:
         self._editor.store(slot)
         self._notifier.show_done(f"stored as {slot}")
-        self._gains_version = -1  # refresh() then updates the text that compares A and B
+        self._gains_version = -1  # makes refresh() update the text that compares A and B
 
     def _save(self, name: str) -> None:
         path = self._files.save(name, self._editor.gains, "Found with surefoot tune live.")

@@ -1,4 +1,4 @@
-"""Recorder of the last push; the score is the cost of the three seconds from its beginning on."""
+"""Recorder of the last push; the score is the cost of the 3 s after the push has begun."""
 
 from __future__ import annotations
 

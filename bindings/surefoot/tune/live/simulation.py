@@ -18,8 +18,7 @@ from surefoot.tune.live.push_score import PushScore
 from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.world import World
 
-# The duration of the pushes of `surefoot assess`.
-PUSH_DURATION = 0.1  # [s] duration of a push from the page
+PUSH_DURATION = 0.1  # [s] duration of a push from the page, as in `surefoot assess`
 
 
 class Simulation:

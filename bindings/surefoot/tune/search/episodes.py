@@ -15,14 +15,16 @@ EPISODE_TIME = 6.6  # [s] duration of an episode
 # Chosen: the robot settles before the first push, and the interval is longer than the time to
 # settle, about 1 s.
 FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s], [s], [pushes]
-# Range of the impulse as a share of the LIP push limit. Chosen: with all gains the robot survives
-# weaker pushes, and falls after stronger ones.
+# Range of the impulse as a share of the LIP push limit. Chosen: pushes outside this range hardly
+# distinguish gains, because with almost all gains the robot survives weaker pushes and falls after
+# stronger ones.
 PUSH_LIMIT_SHARE = 0.35, 0.8
 # The following ranges of robots and grounds are chosen, not measured on real ones.
 MAX_PAYLOAD_SHARE = 0.2  # greatest payload as a share of the robot's mass
 FRICTION_RANGE = 0.5, 1.0  # range of the friction coefficient of the ground
-# Chosen: 8 ms (8 times COARSE_DT), so that the gains keep a margin of delay (git 59a9cea).
-MAX_DELAY_STEPS = 8  # [physics steps] greatest additional delay of commands
+# [physics steps] Greatest additional delay of commands. Chosen: 8 ms (8 times COARSE_DT), so that the
+# gains found keep a delay margin.
+MAX_DELAY_STEPS = 8
 MOTOR_LAG_RANGE = 0.001, 0.004  # [s] range of the time constant of the motor torque
 JOINT_FRICTION_RANGE = 0.5, 2.0  # range of the factor on the joint friction of the model
 # Derived: the seeds of a search stay below both values, so that no episode is used twice.

@@ -27,8 +27,8 @@ class TrialJob:
         gains: All gains, by name.
         episodes: Episodes to run.
         objectives: One or two of cost.OBJECTIVES.
-        stop_cost: Limit of the first objective's mean cost. Above this limit the remaining episodes
-            are skipped.
+        stop_cost: Limit of the mean cost over all episodes, for the first objective. When this mean
+            must exceed the limit, the remaining episodes are skipped.
     """
 
     gains: dict[str, float]
@@ -150,9 +150,8 @@ def cached_plant(episode: Episode) -> Plant:
     return episode.plant()
 
 
-_EVALUATION_LOCK = (
-    threading.Lock()
-)  # one trial at a time per process, because trials share the cached plants
+# A process evaluates one trial at a time, because all trials share the cached plants.
+_EVALUATION_LOCK = threading.Lock()
 
 
 def evaluate_exclusively(job: TrialJob) -> Outcome:

@@ -38,9 +38,8 @@ class TrialQueue:
         """Submit the job of a trial."""
         try:
             future = self._worker_pool.submit(job)
-        except (
-            self._worker_pool.worker_death_errors
-        ):  # a worker died since the last check; the futures of all running jobs also raise
+        except self._worker_pool.worker_death_errors:
+            # A worker died after the last check. The futures of all running jobs raise errors too.
             self._worker_pool.restart_workers()
             future = self._worker_pool.submit(job)
         self._pending[future] = number, job

@@ -11,11 +11,11 @@ namespace surefoot {
 namespace {
 
 // The constants are chosen by hand. The rows imu_bias, quaternion, packet_loss and unknown_pose of
-// `surefoot faults` (bindings/surefoot/faults/rows) bracket the values. "Passes" and "is rejected"
-// refer to these rows.
+// `surefoot faults` (bindings/surefoot/faults/rows) bracket the values: in these rows a value that
+// "passes" must let the robot be armed, and a value that "is rejected" must not.
 //
-// Share of missing samples from which the check `link` fails. Larger than the share of single lost
-// samples; 4 % is rejected.
+// Share of missing samples from which the check `link` fails. Larger than the 0.2 % of one lost
+// sample per second at 500 Hz; 4 % is rejected.
 constexpr double kMaxLoss = 0.01;
 // [s] Time constant with which the counts of received and missing samples decay. Equal to the
 // default of arming_time.
@@ -23,16 +23,17 @@ constexpr double kLossTime = 1.0;
 // Error of a quaternion's norm from which the check fails. Larger than the rounding of a float
 // (1e-7); 1 % is rejected.
 constexpr double kQuaternionTolerance = 1e-3;
-// [rad/s] Turn rate from which the check fails: 0.02 passes, 0.1 is rejected.
+// [rad/s] Angular speed from the gyroscope from which the check fails: 0.02 passes, 0.1 is
+// rejected.
 constexpr double kMaxTurnRate = 0.05;
 // [g] Error of the accelerometer's magnitude from which the check fails: 0.2 m/s^2 passes,
 // 0.7 m/s^2 is rejected.
 constexpr double kGravityTolerance = 0.05;
-// [s] Time constant of the low-pass of the IMU. Longer than the sample period, and shorter than the
-// 0.5 s within which a fault must be rejected.
+// [s] Time constant of the low-pass of gyroscope and accelerometer. Longer than the sample period,
+// and shorter than the 0.5 s within which the checks must reject a fault.
 constexpr double kImuFilterTime = 0.1;
-// [rad] 10 degrees: angle between attitude and accelerometer from which the check fails. Twice the
-// error of the vendors' filters (up to 5 degrees).
+// [rad] 10 degrees: angle between the verticals of IMU quaternion and accelerometer from which the
+// check fails. Twice the error of the vendors' attitude filters (up to 5 degrees).
 constexpr double kMaxAttitudeError = 0.1745;
 // [rad] 25 degrees: tilt from which the check fails. Larger than the 20 degrees at which robots
 // come to rest (sim/physics/lying_pose.py); 35 degrees are rejected. RolloverMonitor::kRollTilt is
@@ -43,6 +44,7 @@ constexpr double kMaxTilt = 0.44;
 
 ArmingChecks::ArmingChecks(const Robot& robot, const ArmingLimits& limits)
     : robot_(robot), limits_(limits) {
+  // kProgram: can the motors carry out the rise plan? The answer does not depend on samples.
   check_below(at(ArmingCheckId::kProgram), limits.torque_share, 1.0);
   set_blocking_fault(FaultId::kNone);
 }
@@ -74,7 +76,7 @@ void ArmingChecks::count_missed() noexcept {
 void ArmingChecks::add_link_counts(double received, double missing) noexcept {
   has_link_counts_ = true;
   received_ += received;
-  // Samples that were counted as missing may still arrive.
+  // `missing` is negative if samples that were counted as missing have arrived late.
   missing_ = std::max(missing_ + missing, 0.0);
 }
 

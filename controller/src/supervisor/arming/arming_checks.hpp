@@ -29,17 +29,18 @@ inline void check_below(ArmingCheck& check, double value, double limit) noexcept
   check.passed = value < limit;
 }
 
-/// Runs the arming checks on every LowState. They check the link, motors, IMU, joints and feet, and
-/// whether a fault keeps the robot down. The robot is ready once all checks have passed for
-/// ArmingLimits::time without interruption. Real-time: all functions except the constructor.
+/// Runs the arming checks on every LowState. The checks concern the link, motors, IMU, joints, feet
+/// and rise plan, and whether a fault keeps the robot down. The robot is ready once all checks have
+/// passed for ArmingLimits::time without interruption. Real-time: all functions except the
+/// constructor.
 class ArmingChecks {
  public:
   ArmingChecks(const Robot& robot, const ArmingLimits& limits);
 
   /// Check a sample. @param step [s] time since the previous sample
   void update(const LowState& state, double step) noexcept;
-  /// Add the numbers of samples that the link has received and missed since the last call. From the
-  /// first call on, update() no longer derives these numbers from the steps of the tick.
+  /// Add the numbers of samples that the link has received and missed since the last call. Without
+  /// this call, update() derives these numbers from the steps of LowState::tick.
   void add_link_counts(double received, double missing) noexcept;
   bool has_link_counts() const noexcept { return has_link_counts_; }
   /// Count a call without a new sample, or with an implausible tick.
@@ -66,7 +67,7 @@ class ArmingChecks {
   ArmingLimits limits_;
   ArmingReport report_;
   Vector3 gyro_ = Vector3::Zero(),
-          accelerometer_ = Vector3::Zero();  // low-passed with kImuFilterTime
+          accelerometer_ = Vector3::Zero();  // [rad/s], [m/s^2] low-passed with kImuFilterTime
   bool started_ = false;
   double period_ = 0.0;                    // [s] estimated period of the samples, see count_link()
   double received_ = 0.0, missing_ = 0.0;  // numbers of samples, decaying with kLossTime

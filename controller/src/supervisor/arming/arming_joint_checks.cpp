@@ -11,8 +11,8 @@ namespace {
 
 // The constants are chosen by hand.
 //
-// [m g] Error of the sum of foot forces from which the check fails. Larger than sensor errors, and
-// small enough to show that one foot of four is missing.
+// [m g] Error of the sum of foot forces from which the check fails. Larger than sensor errors. Not
+// larger than 0.25, the error if one of four foot forces is missing.
 constexpr double kFootForceTolerance = 0.25;
 // [rad] 20 degrees: largest joint error from q_standing for which the robot counts as standing.
 // Same value as kUprightTolerance in supervisor_modes.cpp.
@@ -40,11 +40,11 @@ void ArmingChecks::check_joints(const LowState& state) noexcept {
   at(ArmingCheckId::kJoints) = worst;
 }
 
-// Find a motor whose angle is outside its own range by more than joint_margin allows. This motor
-// and another motor of its leg are reported as swapped if the angle of each motor fits the range of
-// the other motor, within the same tolerance. The check can only distinguish motors with different
-// ranges, for example calves from thighs. If no motor of the leg fits, the check fails only if the
-// angle is outside its own range by kSwapMargin or more.
+// Find a motor whose angle is outside the motor's own range by more than joint_margin allows. This
+// motor and another motor of its leg are reported as swapped if the angle of each motor fits the
+// range of the other motor, with the same joint_margin. The check can only distinguish motors with
+// different ranges, for example calves from thighs. If no other motor of the leg fits, the check
+// fails only if the angle is outside the motor's own range by kSwapMargin or more.
 void ArmingChecks::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {

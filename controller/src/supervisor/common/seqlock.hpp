@@ -33,8 +33,8 @@ class Seqlock {
     sequence_.store(sequence + 2, std::memory_order_release);
   }
 
-  /// Return a consistent copy. Any thread may call this. It repeats the read while a write is in
-  /// progress.
+  /// Return a consistent copy. Any thread may call this. The function repeats its read while a
+  /// write is in progress.
   T read() const noexcept {
     std::array<std::uint64_t, kWords> words;
     std::uint64_t before = 1, after = 0;

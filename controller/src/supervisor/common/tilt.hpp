@@ -19,7 +19,7 @@ inline double angle_between(const Vector3& a, const Vector3& b) noexcept {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Return the roll angle of the body [rad], asin(up.y). It is positive if the right side is down.
+/// Return the roll angle of the body [rad], asin(up.y). Positive: the right side is down.
 /// Real-time: yes.
 /// @param up the world's vertical in base axes, unit length
 inline double roll_angle(const Vector3& up) noexcept {

@@ -8,13 +8,14 @@ namespace surefoot {
 /// Measures how much a signal alternates from one sample to the next.
 ///
 /// The measure is the running mean of -d[k] d[k-1], where d[k] is the change of the signal at
-/// sample k. The measure is positive for an alternating signal, equal to the variance for white
-/// noise, negative for a smooth signal, and zero for isolated steps. Real-time: yes.
+/// sample k. The measure is positive for an alternating signal, negative for a smooth signal, and
+/// zero for isolated steps. For white noise it equals the variance of the noise. Real-time: yes.
 class Alternation {
  public:
   /// Add a sample.
   /// @param share weight of this sample in the mean, 0 .. 1
-  /// @param min_change [unit of value] is_frequent() does not count smaller alternations
+  /// @param value present value of the signal
+  /// @param min_change [unit of value] smaller alternations do not count in is_frequent()
   /// @return the mean [unit of value squared]
   double update(double value, double share, double min_change = 0.0) noexcept {
     const double change = started_ ? value - value_ : 0.0;
@@ -29,12 +30,13 @@ class Alternation {
     return mean_;
   }
 
-  /// Return whether more than 30 % of the samples alternate. A single wrong sample alternates too,
-  /// because the signal jumps and returns. One wrong sample in ten must not make the result true,
-  /// but one in three must. Chosen; test: one_wrong_sample_in_ten_is_not_frequent.
+  /// Return whether the signal alternates in more than 30 % of the samples. A single wrong sample
+  /// counts as one alternation, because the signal jumps and returns. One wrong sample in ten must
+  /// not make the result true, but one in three must. Chosen; test:
+  /// one_wrong_sample_in_ten_is_not_frequent.
   bool is_frequent() const noexcept { return frequency_ > 0.3; }
 
-  /// Start again, so that the next sample is not compared with the last sample.
+  /// Do not compare the next sample with the last sample. The means are kept.
   void interrupt() noexcept {
     started_ = false;
     change_ = 0.0;

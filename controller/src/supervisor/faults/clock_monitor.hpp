@@ -12,11 +12,11 @@ namespace surefoot {
 /// Detects a robot clock (LowState::tick) that runs too fast, by comparing the clock with the
 /// motion of the joints.
 ///
-/// For each joint and window, ratio = (change of q) / (sum of dq times the step of the tick). This
-/// ratio is the true time divided by the time that the tick counts. The clock is too fast if most
-/// moving joints have a ratio below kFastRatio in kWindows consecutive windows. A fast clock speeds
-/// up every timed motion, most of all a rise. A slow clock only makes the robot slow and is not
-/// detected. Real-time: yes.
+/// In each time window, each joint gives the ratio (change of q) / (sum of dq times the step of the
+/// tick). This ratio is the true time divided by the time that the tick counts. The clock is too
+/// fast if most moving joints have a ratio below kFastRatio in kWindows consecutive windows. With a
+/// fast clock, the controller moves its references too fast, most of all in a rise. A slow clock
+/// only makes the motions slow and is not detected. Real-time: yes.
 class ClockMonitor {
  public:
   // The constants are chosen by hand. Tests: clock_at_twice_the_rate_is_detected_within_200_ms,
@@ -27,20 +27,20 @@ class ClockMonitor {
   /// Number of consecutive windows needed, because one window may contain an impact.
   static constexpr int kWindows = 2;
   /// [rad] A joint counts as moving if its displacement in a window (sum of dq times step) is at
-  /// least this. That is 18 standard deviations of the displacement which simulated encoder noise
-  /// causes (0.05 rad/s, 30 samples of 2 ms).
+  /// least this. Simulated encoder noise (0.05 rad/s, 30 samples of 2 ms) causes a displacement
+  /// with a standard deviation of 0.0005 rad.
   static constexpr double kMinDisplacement = 0.01;
   /// Ratio below which the clock is too fast: between a correct clock (1) and twice the rate (0.5).
   static constexpr double kFastRatio = 0.7;
-  /// Ratio below which dq is wrong and not the clock.
+  /// Ratio below which the joint's dq must be wrong; such a joint is no evidence of a fast clock.
   static constexpr double kUnrelatedRatio = 0.2;
   /// Number of moving joints that a verdict needs: one more than the number of joints of a leg.
   static constexpr int kMinJoints = 4;
   /// Share of the moving joints whose ratio must show a fast clock.
   static constexpr double kMinFastShare = 0.75;
   /// [rad/s] Change of dq between two samples above which an impact or a sensor error is assumed.
-  /// The joint is then not counted in this window. Smaller than the wrong samples of 5 rad/s in the
-  /// row power_trip of `surefoot faults`.
+  /// The joint is then not counted in this window. Smaller than 5 rad/s, the wrong velocities in
+  /// the row power_trip of `surefoot faults`.
   static constexpr double kMaxSpeedStep = 2.0;
 
   /// Process a sample. @param step [s] time since the previous sample, measured by the tick
@@ -62,7 +62,7 @@ class ClockMonitor {
     time_ = 0.0;
     started_ = true;
   }
-  /// Return whether the clock was too fast in the last kWindows windows.
+  /// Return whether the clock was too fast in the last kWindows windows with enough motion.
   bool fast() const noexcept { return fast_windows_ >= kWindows; }
 
  private:

@@ -8,21 +8,23 @@ namespace surefoot {
 
 /// Detects legs whose encoders have stopped.
 ///
-/// The encoders of a leg have stopped if its angles and velocities repeat bit for bit, although a
-/// repeated velocity means motion and the samples of another leg change. Two cases are no fault: a
-/// leg at rest may repeat its values; and all legs repeat together if the robot measures its joints
-/// less often than it sends samples. Real-time: yes.
+/// The encoders of a leg have stopped if angles and velocities of the leg repeat bit for bit,
+/// although the repeated velocity means that the leg moves, and although another leg sends new
+/// values. Two cases are no fault: a leg at rest may repeat its values; and all legs repeat
+/// together if the robot measures its joints less often than it sends samples. Real-time: yes.
 class EncoderMonitor {
  public:
   // The constants are chosen by hand. Tests: stopped_encoders_are_detected_within_60_ms,
   // moving_resting_or_slow_joints_are_not_dead_encoders.
-  /// [rad/s] Velocity below which a joint may be at rest: twice the noise of encoders, 0.05 rad/s.
+  /// [rad/s] Velocity below which a joint may be at rest: twice the simulated noise of encoders,
+  /// 0.05 rad/s.
   static constexpr double kMinSpeed = 0.1;
   /// [rad] Displacement, computed from the repeated velocity, from which the repetition is a fault.
-  /// At 0.2 rad/s this takes 50 ms. So the 60 ms of fault_table() are valid from 0.2 rad/s on.
+  /// At 0.2 rad/s a joint needs 50 ms for this displacement. So the detection time of
+  /// fault_table(), 60 ms, holds from 0.2 rad/s on.
   static constexpr double kMinDisplacement = 0.01;
-  /// Number of samples in which another leg must have changed: 10 ms at 500 Hz. Larger than the
-  /// number of repetitions by chance.
+  /// Number of samples in which another leg must have sent new values while this leg repeats: 10 ms
+  /// at 500 Hz. Larger than the number of repetitions by chance.
   static constexpr int kMinSamples = 5;
 
   /// Process a sample.
@@ -64,6 +66,7 @@ class EncoderMonitor {
     return at;
   }
 
+  // Store the values of a leg. Return whether they repeat the last values.
   bool read(const LowState& state, int leg) noexcept {
     Vector3 q, dq;
     for (int i = 0; i < kLegJoints; ++i) {

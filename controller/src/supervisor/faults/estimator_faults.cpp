@@ -5,14 +5,15 @@ namespace surefoot {
 
 namespace {
 
-// [s] Times for which a finding must last before it is a fault. Chosen by hand. Each comment first
-// gives the detection time of the fault in fault_table(), which must be longer.
-constexpr double kGyroscopeTime = 0.05;  // 1 s; the legs give the attitude rate in the meantime
-constexpr double kSensorTime = 0.02;     // 0.1 s or more; all other sensors
-constexpr double kSlipTime = 0.02;       // 0.1 s; longer than single wrong ticks
-constexpr double kLiftedTime = 0.05;     // 0.1 s; longer than impacts that unload all feet
-constexpr double kPayloadTime = 1.0;     // 2 s; longer than pushes (0.5 s in the full scorecard)
-constexpr double kMinSlip = 0.5;         // EstimatorReport::slip above which a foot slips
+// [s] Times for which a finding must last before it is a fault. Chosen by hand. Each must be
+// shorter than the detection time of the fault in fault_table(), given in brackets.
+constexpr double kGyroscopeTime = 0.05;  // [1 s] the estimator takes rates from the legs meanwhile
+constexpr double kSensorTime = 0.02;     // [0.1 s and more] accelerometer, quaternion
+constexpr double kSlipTime = 0.02;       // [0.1 s] longer than single wrong ticks
+constexpr double kLiftedTime = 0.05;     // [0.1 s] longer than impacts that unload all feet
+constexpr double kPayloadTime = 1.0;     // [2 s] longer than pushes (0.5 s in the full scorecard)
+// EstimatorReport::slip (0 .. 1) above which a foot slips. Chosen.
+constexpr double kMinSlip = 0.5;
 
 bool is_bad(SensorVerdict verdict) noexcept {
   return verdict != SensorVerdict::kGood && verdict != SensorVerdict::kUnjudged;

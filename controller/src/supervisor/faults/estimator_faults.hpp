@@ -9,7 +9,8 @@
 namespace surefoot {
 
 /// Turns the findings of a standing robot's estimator into faults: sensor verdicts, slip, contact
-/// and payload. Each finding must last for a minimum time before it is a fault. Real-time: yes.
+/// and payload. Each finding must last for a minimum time before it is a fault. Exception: a bad
+/// foot force is a fault at once, because its verdict already needs some time. Real-time: yes.
 class EstimatorFaults {
  public:
   /// @param payload_limit [kg] a larger payload is a fault
@@ -17,13 +18,13 @@ class EstimatorFaults {
 
   /// Evaluate the report of a standing robot's estimator.
   /// @param dt [s] time since the last call
-  /// @param log receives kFootForce, kSlip, kLifted and kPayload. The functions below return the
-  ///   findings on the IMU
+  /// @param log receives kFootForce, kSlip, kLifted and kPayload. It does not receive the faults of
+  ///   the IMU, which the functions below return
   void update(const EstimatorReport& report, const RobotState& state, double dt,
               FaultLog& log) noexcept;
-  /// Clear all findings, because no estimator runs.
-  /// @param sitting true: keep the faults that make the robot sit down, because without an
-  ///   estimator nothing shows that they have ended
+  /// Clear all findings; call this while no estimator runs.
+  /// @param sitting true if the robot sits down: keep the faults that make it sit down (gyroscope,
+  ///   payload), because without an estimator nothing shows that they have ended
   void reset(bool sitting, FaultLog& log) noexcept;
 
   /// Return whether the estimator has found this sensor faulty. ImuMonitor also checks the IMU, in

@@ -15,8 +15,10 @@ constexpr std::string_view kClearsByItself = "by itself";
 constexpr std::string_view kClearsByItselfOrArm =
     "by itself, or with arm() if the estimator found it while the robot stood";
 
-// Detection times [s]: upper limits that `surefoot faults` checks in every cell. 0.002 is one
-// period at 500 Hz; 0.020 is kStaleTime. Each other value is the detector's time plus a margin.
+// Rows in the order of FaultId: fault, reaction, detection time, how the fault ends, description.
+// Detection times [s] are upper limits that `surefoot faults` checks in every cell. 0.002 is one
+// period at 500 Hz; 0.020 is kStaleTime. Each other value is the time that the detector needs plus
+// a margin.
 constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kStop, kDamp, 0.002, kNeedsArm,
      "operator stop: stop() from any thread, or x + Enter in surefoot run; the motors damp "

@@ -11,19 +11,21 @@ namespace surefoot {
 namespace {
 
 // The constants are chosen by hand. The rows imu_bias, imu_dropout, attitude_jump and
-// duplicate_data of `surefoot faults` bracket the values. "Passes" and "is a fault" refer to these
-// rows. benchmarks/false_trips.py checks that healthy robots pass.
+// duplicate_data of `surefoot faults` bracket the values: in these rows a value that "passes" must
+// not be reported, and a value that "is a fault" must be. benchmarks/false_trips.py checks that
+// healthy robots pass.
 //
-// [rad] Angle between attitude and integrated gyroscope above which the attitude has jumped.
-// Smaller than the jump of 10 degrees (0.17 rad) in the row attitude_jump.
+// [rad] Angle between the measured attitude and the attitude propagated by the gyroscope above
+// which the measured attitude has jumped. Smaller than the jump of 10 degrees (0.17 rad) in the row
+// attitude_jump.
 constexpr double kMaxAttitudeJump = 0.1;
-// [s] Largest delay of the attitude that passes. The product of this delay and the rate is added to
-// kMaxAttitudeJump.
+// [s] Largest delay of the attitude behind the gyroscope that passes. The limit kMaxAttitudeJump is
+// increased by this delay times the angular speed.
 constexpr double kAttitudeDelay = 0.02;
 // [s] Any attitude is accepted after attitudes have been rejected for this time.
 constexpr double kReacceptTime = 0.5;
 // [rad/s] Change of the gyroscope between two samples above which the gyroscope has jumped: an
-// offset of 2.5 passes, noise of up to 10 is a fault.
+// offset of 2.5 rad/s passes, noise of up to 10 rad/s is a fault.
 constexpr double kMaxRateJump = 3.0;
 // [s] Time for which a signal must be bad before it is a fault. Longer than 18 ms, for which an IMU
 // that is read at 50 Hz repeats its values.
@@ -32,7 +34,7 @@ constexpr double kMinBadTime = 0.05;
 // wrong: 0.02 passes, 0.1 is a fault within 1 s.
 constexpr double kMaxRateError = 0.08;
 // [rad/s] Limit of the difference in one sample: ten times kMaxRateError. So 10 ms of outliers
-// change the mean by only 0.8 (10 ms / kRateErrorTime) = 0.016.
+// change the mean by at most 0.8 (10 ms / kRateErrorTime) = 0.016.
 constexpr double kRateErrorClamp = 0.8;
 // Tolerance for an error of the gyroscope's scale, as a share of the mean rate, added to
 // kMaxRateError. Large enough for a healthy b1 that rolls over while its legs fold.

@@ -7,12 +7,13 @@
 
 namespace surefoot {
 
-/// Compares the IMU's attitude with its gyroscope, in every mode.
+/// Compares the attitude that the IMU measures with the gyroscope, in every mode.
 ///
-/// The gyroscope propagates the last accepted attitude. An attitude that jumps away from the
-/// propagated attitude is not plausible. After 0.5 s of such attitudes, a new attitude is accepted.
-/// A gyroscope drift shows in the mean difference between the gyroscope and the rate of the
-/// attitude. A stopped sensor shows in values that repeat or are clipped. Real-time: yes.
+/// The last accepted attitude is propagated with the gyroscope. A measured attitude that jumps away
+/// from the propagated attitude is not plausible. After 0.5 s of such attitudes, the next measured
+/// attitude is accepted. A gyroscope drift appears as a mean difference between the gyroscope and
+/// the rate of the attitude. A stopped sensor repeats its values; an overloaded sensor sends values
+/// at the end of its range (clipped). Real-time: yes.
 class ImuMonitor {
  public:
   /// Check the IMU of a sample.
@@ -21,12 +22,11 @@ class ImuMonitor {
   /// @param may_turn_fast true if the body may turn fast for longer than a push lasts; the
   ///   tolerance then also covers an error of the gyroscope's scale
   void update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept;
-  /// Return whether the rates of the last sample are usable. They are not usable if they have
-  /// changed by 3 rad/s or more since the previous sample, which is more than the rates of a body
-  /// can change.
+  /// Return whether the gyroscope of the last sample is usable. It is not usable if it has changed
+  /// by 3 rad/s or more since the previous sample; no body can change its rate so fast.
   bool rates_plausible() const noexcept { return rates_plausible_; }
   /// Return whether the attitude of the last sample is usable. It is not usable if the norm of the
-  /// quaternion is not 1, or if the attitude has jumped away from the integrated gyroscope.
+  /// quaternion is not 1, or if the attitude has jumped away from the propagated attitude.
   bool attitude_plausible() const noexcept { return attitude_plausible_; }
   /// Return whether the gyroscope has, for 50 ms, repeated its values, been clipped, or
   /// contradicted the attitude.

@@ -6,18 +6,18 @@
 
 namespace surefoot {
 
-/// Compares the change of each joint angle with the joint's velocity, and rejects angles that jump:
+/// Compares the change of each joint angle with the joint's velocity, and rejects a sample if an
+/// angle jumps:
 ///   |q - q_last - dq t| - kDisplacementTolerance |dq t| >= kMaxJump,   t: time since q_last
-/// Real-time: yes.
+/// q_last is the angle in the last accepted sample. Real-time: yes.
 class JointMonitor {
  public:
   // The constants are chosen by hand. Test: joint_motion_during_bad_samples_is_not_a_joint_jump.
-  /// [rad] An angle has jumped if its change differs from the displacement that its velocity
-  /// explains by this or more. Smaller than 0.2 rad, the jump of a hip in the row position_trip of
-  /// `surefoot faults`.
+  /// [rad] Jump from which an angle is rejected. Smaller than 0.2 rad, the jump of a hip in the row
+  /// position_trip of `surefoot faults`.
   static constexpr double kMaxJump = 0.08;
-  /// Tolerance for velocities that are delayed, noisy or change within the step, as a share of the
-  /// displacement that the velocity explains.
+  /// Tolerance, as a share of |dq t|, because velocities are delayed, noisy, or change within the
+  /// step.
   static constexpr double kDisplacementTolerance = 0.5;
   /// [s] Any angles are accepted after angles have been rejected for this time. Same as in
   /// ImuMonitor.

@@ -14,8 +14,8 @@ namespace {
 // over_temperature of `surefoot faults` bracket the values. benchmarks/false_trips.py checks that
 // healthy robots pass.
 //
-// Numbers of consecutive bad samples from which there is a fault. More than one wrong sample, and
-// at most 3 periods, the 6 ms of fault_table().
+// Numbers of consecutive bad samples from which there is a fault: of motor modes and of joint
+// angles. More than one wrong sample, and at most 3 periods, the 6 ms of fault_table().
 constexpr int kBadModes = 2;
 constexpr int kBadAngles = 3;
 // [s] Time constant of the mean torques. Longer than a motor's delay (two periods) and lag (2 ms).
@@ -26,11 +26,12 @@ constexpr double kTorqueTime = 0.03;
 // one sample of ten. Smaller than the error of a dead motor.
 constexpr double kTorqueTolerance = 0.12;
 constexpr double kTorqueToleranceShare = 0.4;
-// Limit of the error in one sample, as a multiple of the tolerance.
+// Limit of the torque error in one sample, as a multiple of the tolerance.
 constexpr double kErrorClamp = 2.0;
-// A motor is idle if its torque is below kIdleTorqueShare of the command, and the command is above
-// kMinCommandShare of tau_max. A motor that is idle in kMinIdleShare of the samples is weak. This
-// finds a dead motor that still reports servo mode, see docs/reference/fault-injection.md.
+// A motor is idle in a sample if its torque is below kIdleTorqueShare of the command, and the
+// command is above kMinCommandShare of tau_max. A motor that is idle in more than kMinIdleShare of
+// the samples is weak. So a dead motor that still reports servo mode is found, see
+// docs/reference/fault-injection.md.
 constexpr double kIdleTorqueShare = 0.3;
 constexpr double kMinCommandShare = 0.05;
 constexpr double kMinIdleShare = 0.8;
@@ -39,8 +40,8 @@ constexpr double kMinIdleShare = 0.8;
 constexpr double kWeakTime = 0.05;
 // The torque of a motor alternates if its Alternation is above (kMinAlternation tau_max)^2 plus
 // kAlternationRatio times the Alternation of its commands. Larger than the Alternation caused by
-// noise and by one wrong sample. Smaller than the Alternation caused by two programs that command
-// alternately.
+// noise and by one wrong sample. Smaller than the Alternation of torques that two programs command
+// in turns.
 constexpr double kMinAlternation = 0.03;
 constexpr double kAlternationRatio = 4.0;
 // [s] Time constant of the alternations. Shorter than the 0.2 s of fault_table().
@@ -48,8 +49,8 @@ constexpr double kAlternationTime = 0.05;
 // [s] Time constant of the mean temperatures. So long that 120 deg C in one sample of 25 is no
 // fault.
 constexpr double kTemperatureTime = 0.5;
-// [s] Time above temperature_stop after which the robot sits down. Its sum with kTemperatureTime is
-// shorter than the 2 s of fault_table().
+// [s] Time above temperature_stop after which the robot sits down. The sum of this time and
+// kTemperatureTime is shorter than the 2 s of fault_table().
 constexpr double kOverheatedTime = 0.5;
 
 bool is_idle(double commanded, double measured, double tau_max) noexcept {
@@ -97,8 +98,8 @@ void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log
   log.set(FaultId::kMotorMode, bad_modes_ >= kBadModes, bad);
 }
 
-// Commands and measurements pass the same low-pass. Its time constant is so long that a motor's
-// delay and lag cause a smaller error than a dead motor.
+// Commands and measurements pass the same low-pass. With its time constant, a motor's delay and lag
+// cause a smaller error than a dead motor.
 void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
                                 FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
@@ -110,12 +111,12 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
     const double tau_est = state.motorState[i].tauEst, tau_max = robot_.config().tau_max[i];
     const double allowed =
         kTorqueTolerance * tau_max + kTorqueToleranceShare * std::abs(expected_[i]);
-    // The limit prevents a few wrong samples from dominating the mean.
+    // The error is limited, so that a few wrong samples do not dominate the mean.
     const double limited_error =
         std::clamp(tau_est - expected_[i], -kErrorClamp * allowed, kErrorClamp * allowed);
     measured_[i] += share * (expected_[i] + limited_error - measured_[i]);
-    // In a lightly loaded leg the error of a dead motor is within the tolerance. So idle samples
-    // count too.
+    // In a lightly loaded leg the error of a dead motor may be within the tolerance. So the share
+    // of idle samples is a second criterion.
     idle_share_[i] += share * (is_idle(expected_[i], tau_est, tau_max) - idle_share_[i]);
     const bool deviates =
         std::abs(measured_[i] - expected_[i]) > allowed || idle_share_[i] > kMinIdleShare;
@@ -128,8 +129,8 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
   log.set(FaultId::kMotorWeak, legs == 1, weak);
 }
 
-// Two programs that command alternately make the torques alternate; the mean torques do not show
-// this. A motor's delay and lag cannot make the torques alternate more than the commands.
+// If two programs command the robot in turns, the torques alternate, but their means may be normal.
+// A motor's delay and lag cannot make the torques alternate more than the commands.
 int MotorFaults::count_alternating_legs(const LowState& state, double dt, int lost_leg) noexcept {
   const double share = -std::expm1(-dt / kAlternationTime);
   int legs = 0, last_leg = -1;
@@ -167,6 +168,7 @@ void MotorFaults::judge_temperatures(const LowState& state, double dt, FaultLog&
 }
 
 void MotorFaults::judge_angles(const LowState& state, int lost_leg, FaultLog& log) noexcept {
+  // position_protect() checks all joints, so the joints of a lost leg get angles within the limits.
   LowState judged = state;
   for (int i = kLegJoints * lost_leg; lost_leg >= 0 && i < kLegJoints * (lost_leg + 1); ++i) {
     const double middle = 0.5 * (robot_.config().q_lower[i] + robot_.config().q_upper[i]);

@@ -11,10 +11,10 @@ namespace surefoot {
 /// Detects motor faults from the motors' own measurements: mode, torque (compared with the last
 /// command), temperature and angle.
 ///
-/// Commanded and measured torques pass the same low-pass. A motor is weak (kMotorWeak) if for 50 ms
-/// it is idle or its mean torque is outside the tolerance. If motors of several legs are weak, or
-/// torques of several legs alternate, another program also commands the robot (kOverridden).
-/// Real-time: yes.
+/// Commanded and measured torques pass the same low-pass. A motor is weak (kMotorWeak) if, for 50
+/// ms, its mean torque differs too much from the mean command, or it gives hardly any torque in
+/// most samples. If motors of several legs are weak, or torques of several legs alternate, another
+/// program also commands the robot (kOverridden). Real-time: yes.
 class MotorFaults {
  public:
   /// @param warning [deg C] temperature above which torques are reduced
@@ -36,8 +36,8 @@ class MotorFaults {
   /// Record the command that was sent. Later torque measurements are compared with this command.
   /// @param state sample for which the command was computed; its dq gives the damping torque
   void record_command(const LowCmd& command, const LowState& state) noexcept;
-  /// Exclude the next sample from the alternation measures. Call this if the command that was sent
-  /// was not passed to record_command().
+  /// Do not count an alternation in the next sample. Call this in a tick whose command is not
+  /// passed to record_command().
   void skip_command() noexcept {
     for (int i = 0; i < kMotors; ++i)
       commanded_alternation_[i].interrupt(), measured_alternation_[i].interrupt();
@@ -49,8 +49,8 @@ class MotorFaults {
   void reset() noexcept;
 
   /// Share of the torque limits that remains at temperature_stop. Chosen below 1, so that motors
-  /// cool, and above `RisePlan::torque_share`, so that the robot can hold itself while it sits
-  /// down.
+  /// cool, and above the largest holding torque of RisePlan, so that the robot can hold itself
+  /// while it sits down.
   static constexpr double kMinTorqueShare = 0.5;
 
  private:

@@ -6,13 +6,13 @@
 
 namespace surefoot {
 
-/// Detects samples whose IMU and joint values repeat while the tick advances. In this case the link
-/// works, but the sensor board has stopped. Real-time: yes.
+/// Detects samples whose gyroscope, accelerometer and joint values repeat while the tick advances.
+/// Then the link works, but the sensor board has stopped. Real-time: yes.
 class RepeatedSample {
  public:
-  /// [s] Time for which values may repeat before they are too old. Derived: robots that measure at
-  /// 50 Hz repeat values for 18 ms at 500 Hz, and the last good command may be repeated for
-  /// kHoldTime = 10 ms more.
+  /// [s] Time for which values may repeat before they are too old. Derived: after this time the
+  /// last good command is repeated for kHoldTime = 10 ms. The sum, 20 ms, must exceed the 18 ms for
+  /// which a robot that measures at 50 Hz repeats its values at 500 Hz.
   static constexpr double kMaxAge = 0.010;
 
   /// Compare a sample with the previous sample. @param step [s] time between the two samples
@@ -31,8 +31,8 @@ class RepeatedSample {
   /// Return whether the values of the last sample are too old to act upon. The 1e-9 s allow for
   /// rounding.
   bool too_old() const noexcept { return repeat_time_ >= kMaxAge - 1e-9; }
-  /// Return whether the sensors have stopped: the values have repeated for longer than on a robot
-  /// that measures at 50 Hz, the lowest measurement rate of all robots.
+  /// Return whether the sensors have stopped: the values have repeated for longer than those of a
+  /// robot that measures at 50 Hz, the lowest measurement rate of all robots.
   bool stopped() const noexcept { return repeat_time_ >= kStoppedTime; }
   /// Return whether the last sample had the same values as the sample before it.
   bool repeats() const noexcept { return repeat_time_ > 0.0; }

@@ -17,28 +17,33 @@ namespace {
 // values: at most 93 W at level 1 (100 W) in benchmarks/get_up.py; no trip in
 // benchmarks/false_trips.py. Tests: test_joint_impedance.cpp.
 //
-// [rad] Largest deflection of a spring. Larger than LegFolding's lead (0.4). If larger: a released
-// leg takes more power.
+// [rad] Largest deflection of a spring. Must exceed kMaxLead of LegFolding (0.4). The larger this
+// deflection, the more power a leg takes when it comes free from an obstacle.
 constexpr double kMaxDeflection = 0.45;
-constexpr double kTorqueShare = 0.9;  // largest torque, as a share of tau_max; the rest is a margin
-// Largest torque for holding, as a share of tau_max. The rest is for lifting.
+// Largest commanded torque, as a share of tau_max; the rest is a margin.
+constexpr double kTorqueShare = 0.9;
+// can_hold() requires holding torques below this share of tau_max; the rest is for raising the
+// body. It does not limit commanded torques.
 constexpr double kHoldShare = 0.75;
 // [rad/s] The spring of a joint is weakened if the joint moves faster than its reference, in the
 // direction of the spring torque, by more than kReleaseSpeed. The spring torque is zero from
-// kReleaseSpeed + kReleaseSpeedRange on. Larger than the velocity errors of normal tracking.
-// Smaller than 9 rad/s, which legs reach when they come free.
+// kReleaseSpeed + kReleaseSpeedRange on. kReleaseSpeed is larger than the velocity errors of normal
+// tracking. The sum is smaller than 9 rad/s, which legs reach when they come free.
 constexpr double kReleaseSpeed = 2.0;
 constexpr double kReleaseSpeedRange = 2.0;
-// [rad/s] Turn rates of the body between which the damping is reduced. Larger than the turn rates
-// while legs fold. Smaller than 3 rad/s, at which bodies tip over a leg.
+// [rad/s] Angular speed of the body. Between these two values, the damping falls linearly from full
+// to kMinDampingShare; above, it stays at kMinDampingShare. Larger than the angular speed while
+// legs fold. Smaller than 3 rad/s, at which bodies tip over a leg.
 constexpr double kFallRateStart = 0.6;
 constexpr double kFallRateEnd = 1.6;
-// Smallest damping, as a share of the full damping. Above 0, because damping absorbs the energy of
-// a falling body.
+// Smallest damping, as a share of the damping D of RisePlan. Above 0, because damping absorbs the
+// energy of a falling body.
 constexpr double kMinDampingShare = 0.25;
-// [s] Time constant of the damping: ten periods at 500 Hz, so that torques do not jump.
+// [s] Time constant with which the damping changes: ten periods at 500 Hz, so that torques do not
+// jump.
 constexpr double kDampingFilterTime = 0.02;
-// [m g] With this load or more on the legs, no leg can be caught on something.
+// [m g] Planned load on the legs from which no leg can be caught on something. Below this load, the
+// power of the springs is limited too (limit_released_power()).
 constexpr double kLoadedShare = 0.1;
 }  // namespace
 
@@ -59,7 +64,7 @@ void JointImpedance::read(const LowState& state) noexcept {
     q_[i] = state.motorState[i].q;
     state_.q[robot_.motor_to_q()[i]] = q_[i];
   }
-  const std::array<float, 4> imu = state.imu.quaternion;  // packed: copied
+  const std::array<float, 4> imu = state.imu.quaternion;  // the field is packed, so it is copied
   const Quaternion R_world_imu(imu[0], imu[1], imu[2], imu[3]);
   R_world_base_ = (R_world_imu * R_base_imu_.conjugate()).normalized();
   state_.q.segment<4>(3) = R_world_base_.coeffs();
@@ -72,15 +77,18 @@ void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
   damping_ += dt / (dt + kDampingFilterTime) * (desired - damping_);
 }
 
-// A released spring of torque tau takes the power (tau - D dq) dq. This power is largest at dq =
-// tau / (2 D), where it is tau^2 / (4 D). The 1e-9 [W] avoid a division by zero.
+// When a caught leg comes free, a spring of torque tau takes the power (tau - D dq) dq. This power
+// is largest at dq = tau / (2 D), where it is tau^2 / (4 D). The sum over all springs must stay
+// within the limit. Power grows with the square of the deflection, so the deflections are scaled by
+// the square root of the ratio. The 1e-9 [W] avoid a division by zero.
 Vector12 JointImpedance::limit_released_power(const Vector12& deflection) const noexcept {
   const double released_power = (stiffness_ * deflection).squaredNorm() / (4.0 * damping_);
   return deflection * std::sqrt(std::min(1.0, power_limit_ / std::max(released_power, 1e-9)));
 }
 
 // Return the torques that hold the legs and the share `load` of the robot's weight [N.m].
-// dynamics_.update() must have been called for the present pose.
+// dynamics_.update() must have been called for the present pose. holding_torques() subtracts
+// f_sustained from the weight, so an upward force of (1 - load) m g leaves the share `load`.
 Vector12 JointImpedance::gravity_torques(double load) noexcept {
   state_.f_sustained = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
   return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
@@ -107,13 +115,14 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = gravity_torques(load);
   Vector12 deflection = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
-  // The legs of a lying body may be caught on something, so the power of their release is limited.
-  // `load` is 0 while the body lies, also during the rear press.
+  // The legs of a lying body may be caught on something. So the power that their springs take when
+  // they come free is limited. `load` is 0 while the body lies, also while RearPressCheck presses
+  // the rear legs on the ground.
   const Vector12 limited_deflection = limit_released_power(deflection);
   deflection =
       limited_deflection + smoothstep(load / kLoadedShare) * (deflection - limited_deflection);
   // Weaken the spring of a leg that slips off an obstacle. Otherwise this leg alone would take more
-  // power than a rise.
+  // power than all legs take in a rise.
   for (int i = 0; i < kMotors; ++i) {
     const double speed_ahead = std::copysign(1.0, deflection[i]) * (dq_[i] - reference.dq[i]);
     deflection[i] *= std::clamp(1.0 - (speed_ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
@@ -128,10 +137,12 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
     hold[i] = std::clamp(hold[i], -max_torque, max_torque);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
+  // Usual case: some scale from 0 to 1 satisfies the power limit, and limit_power() has applied it.
   if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
+  // Otherwise the damping takes too much power, whatever the scale. braking_scale is the share of
+  // the damping whose power, together with that of the holding torques, is within the limit.
   const double braking_scale = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
-  // Counteract a part of the motors' damping, so that torques plus damping are closer to the
-  // holding torques.
+  // Counteract the rest of the damping, which the motors add by themselves.
   const Vector12 counter_torque = hold + (1.0 - braking_scale) * damping_ * dq_;
   return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
 }

@@ -12,18 +12,19 @@ namespace surefoot {
 /// Joint impedance of a robot that rises or sits: springs and dampers in addition to gravity
 /// torques,
 ///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref,   plus   -D dq   from the motors' damping.
-/// tau_hold depends only on joint angles and the IMU's attitude.
+/// tau_hold depends only on joint angles and the IMU's attitude. `load` is the share of the robot's
+/// weight on the feet.
 ///
-/// Damping: the motor drivers compute it (Kd = D). When a leg slips off the ground, its spring
-/// accelerates the leg at once. Damping torques in a command would come two or three ticks later,
-/// too late for the power protection.
+/// Damping: the motor drivers compute the torque -D dq (Kd = D). When a leg slips off the ground,
+/// its spring accelerates the leg at once. If the command contained the damping torque, this torque
+/// would act two or three ticks later, and the power protection would trip first.
 ///
 /// Limits: spring deflection, torques and power are limited. The damping alone may take more than
 /// the power limit, for example in a leg that comes free from under the body. Then the commanded
 /// torques counteract a part of the damping. A body that rolls off a leg drives the joints faster
-/// than torques can change. So the damping is reduced while the body turns fast (reduce_damping()),
-/// and the spring torques of lying legs are reduced together with the damping
-/// (limit_released_power()). Real-time: yes.
+/// than torques can change. So the damping is reduced while the body rolls or pitches fast
+/// (reduce_damping()). With less damping, the spring of a leg that comes free takes more power, so
+/// limit_released_power() then reduces the spring torques of lying legs too. Real-time: yes.
 class JointImpedance {
  public:
   /// @param watts limit of the power sum |tau dq| [W]
@@ -31,9 +32,9 @@ class JointImpedance {
 
   /// Read joints and attitude from a sample.
   void read(const LowState& state) noexcept;
-  const Vector12& q() const noexcept { return q_; }
-  /// Reduce the damping while the body turns fast, and restore it when the body turns slowly.
-  /// @param turn_rate turn rate of the body [rad/s]
+  const Vector12& q() const noexcept { return q_; }  ///< [rad] measured angles, SDK motor order
+  /// Reduce the damping while the body rolls or pitches fast, and restore it when the body is slow.
+  /// @param turn_rate norm of the body's angular velocity [rad/s]; 0 if the body does not lie
   /// @param dt time since the last call [s]
   void reduce_damping(double turn_rate, double dt) noexcept;
   double damping() const noexcept { return damping_; }  ///< D, to be sent to the motors [N.m.s/rad]
@@ -53,20 +54,20 @@ class JointImpedance {
   Vector12 leg_gravity_torques() noexcept;
   /// Return whether the motors can hold the whole robot in the last pose that was read.
   bool can_hold() noexcept;
-  /// Estimate the share of the robot's weight on the legs, about 0 .. 1: project the measured
-  /// torques onto the torques of a full load on four legs.
+  /// Estimate the share of the robot's weight on the legs, about 0 .. 1. The torques beyond
+  /// leg_gravity_torques() are projected onto the torques of a full load on four legs.
   /// @param measured joint torques, SDK motor order [N.m]
   double load_share(const Vector12& measured) noexcept;
 
  private:
   Vector12 gravity_torques(double load) noexcept;
   /// Return the spring deflections [rad], scaled so that all springs together stay within the power
-  /// limit even if they are released at once.
+  /// limit even if all legs come free from an obstacle at once.
   Vector12 limit_released_power(const Vector12& deflection) const noexcept;
 
   Robot robot_;
   Dynamics dynamics_;
-  RobotState state_;
+  RobotState state_;  // pose of the last sample, base at the origin and at rest
   Vector12 q_ = Vector12::Zero(), dq_ = Vector12::Zero();
   double stiffness_, full_damping_, damping_, power_limit_;
   Vector12 torque_share_ = Vector12::Ones();

@@ -13,13 +13,14 @@ namespace {
 // The constants are chosen by hand. benchmarks/get_up.py covers them; test_supervisor.cpp tests
 // that the motion is continuous.
 //
-// [1/s^2] Acceleration of s: at most 2 m/s^2 of the body, far below the limit of friction.
+// [1/s^2] Acceleration of the path parameter s. It accelerates the body by less than 2 m/s^2, far
+// below the limit of friction.
 constexpr double kAcceleration = 2.0;
 // [1/s] Smallest rate near the goal, so that s arrives in finite time.
 constexpr double kMinRate = 0.01;
-constexpr double kLoadingRange = 0.25;  // range of s in which the legs take over the weight
-// [s] Time over which the initial offset is faded out. Shorter than 1.25 s, the shortest duration
-// of RisePlan's path.
+constexpr double kLoadingRange = 0.25;  // s at which the legs carry the full weight
+// [s] Time over which the initial offset from the path is faded out. Shorter than 1.25 s, the
+// shortest duration of RisePlan's path.
 constexpr double kFadeTime = 1.0;
 // [rad] The motion waits if a joint lags behind by more than this. Larger than the sag of the
 // springs (3 degrees), and smaller than kMaxDeflection of JointImpedance.
@@ -44,7 +45,8 @@ const JointReference& RiseMotion::step(const Vector12& measured, double dt) noex
   const bool lagging = (reference_.q - measured).cwiseAbs().maxCoeff() > kMaxLag;
   stalled_time_ = lagging && remaining != 0.0 ? stalled_time_ + dt : 0.0;
   // Limit the rate to the plan's rate, which limits power, and to the rate from which the motion
-  // can still stop at the goal.
+  // stops at the goal with kAcceleration / 2: sqrt(2 (kAcceleration / 2) |remaining|). The other
+  // half of kAcceleration is a reserve.
   const double braking_rate = std::sqrt(kAcceleration * std::abs(remaining));
   double max_rate = std::max(std::min(plan_.rate_at(s_), braking_rate), kMinRate);
   if (lagging && remaining > 0.0)

@@ -9,8 +9,9 @@ namespace surefoot {
 /// Moves the joint reference along the path of RisePlan, up or down. go_to() may reverse the motion
 /// at any point.
 ///
-/// The rate ds/dt stays within the plan's limit and falls smoothly to zero at the goal. On the way
-/// up, the motion waits for joints that lag behind. Real-time: yes.
+/// s is the path parameter: 0 lying, 1 standing. Its rate ds/dt stays within the plan's limit and
+/// falls smoothly to zero at the goal. On the way up, the motion waits for joints that lag behind.
+/// Real-time: yes.
 class RiseMotion {
  public:
   explicit RiseMotion(const RisePlan& plan) : plan_(plan) {}
@@ -30,13 +31,15 @@ class RiseMotion {
   double position() const noexcept { return s_; }
   /// Return whether s is at the goal and the initial offset has faded out.
   bool arrived() const noexcept;
-  /// Return the planned share of the weight on the legs. It rises from 0 at s = 0 to 1 at s = 0.25.
+  /// Return the planned share of the weight on the legs. It rises from 0 at s = 0 to 1 at
+  /// s = kLoadingRange = 0.25.
   double load() const noexcept;
   /// Return whether joints have lagged behind for longer than kStallTimeout.
   bool stuck() const noexcept { return stalled_time_ > kStallTimeout; }
 
  private:
-  static constexpr double kStallTimeout = 2.0;  // [s] chosen: about the duration of a rise (1.9 s)
+  // [s] Chosen: about the duration of the path, 1.9 s from folded to standing.
+  static constexpr double kStallTimeout = 2.0;
 
   RisePlan plan_;
   JointReference reference_;

@@ -15,30 +15,33 @@ namespace {
 // The constants are chosen by hand. benchmarks/get_up.py covers them: 1000 of 1000 dropped robots
 // stand.
 //
-// [rad] Distance kept from the joint limits. Larger than the SDK's 0.087.
+// [rad] Distance kept from the joint limits. Larger than 0.087, the SDK's default distance.
 constexpr double kStopMargin = 0.1;
 // Foot depth of the folded pose, as a share of the standing foot depth: just above the ground when
 // the body lies.
 constexpr double kFoldedDepth = 0.14;
-// Hip angle outward for folding, as a share of the hip's range. At larger angles the thigh touches
-// the trunk.
+// Hip angle outward for folding, as a share of the hip's outward joint limit. At larger angles the
+// thigh touches the trunk.
 constexpr double kHipOutwardShare = 0.6;
-// [rad] Largest hip angle outward for folding, for robots with wide hip ranges (go1, go2: 1.05).
+// [rad] Upper bound of that hip angle. It acts on robots whose outward hip limit exceeds
+// 0.7 / 0.6 = 1.17 rad; the limit of a go2 is 1.05 rad.
 constexpr double kMaxHipOutward = 0.7;
-// Largest joint velocity, as a share of dq_max. The present robots reach kMaxRate first.
+// Largest joint velocity, as a share of dq_max. On a1, go1, go2 and b1, kMaxRate is the stricter
+// limit.
 constexpr double kSpeedShare = 0.3;
-// [1/s] Largest ds/dt. Slow on purpose: the path takes 1.25 s of a rise of 1.9 s
+// [1/s] Largest ds/dt. Slow on purpose. From folded to standing the path then takes 1.9 s:
+// 1 / kMaxRate = 1.25 s at full rate, and the rest for acceleration and braking
 // (docs/explanation/getting-up.md).
 constexpr double kMaxRate = 0.8;
 // [1/rad] K divided by (m g times standing foot depth). If smaller: legs sag by more than
-// 3 degrees. If larger: released legs take more power, which grows with K.
+// 3 degrees. If larger: legs that come free from an obstacle take more power, which grows with K.
 constexpr double kStiffness = 1.05;
-// [s] D / K. If smaller: springs are released too fast. If larger: delay and lag of the motors make
-// the joints unstable.
+// [s] D / K. If smaller: legs that come free from an obstacle move too fast. If larger: delay and
+// lag of the motors make the joints unstable.
 constexpr double kDampingTime = 0.03;
 
-/// Dynamics of the robot at rest, with a level base at the world origin. Joint angles are in SDK
-/// motor order.
+/// Dynamics of the robot at rest at any joint angles, with a level base at the world origin. Joint
+/// angles are in SDK motor order.
 class LyingPose {
  public:
   explicit LyingPose(const Robot& robot)
@@ -69,9 +72,9 @@ void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
   joints[3 * leg + 1] = -0.5 * joints[3 * leg + 2];
 }
 
-// Set thigh and calf of a leg. Bend the calf to near its stop. Then find by bisection the thigh
-// angle, behind the hip, at which the foot is at `depth` [m]. 40 bisections of at most 4 rad leave
-// an error of 4e-12 rad.
+// Set thigh and calf of a leg. Bend the calf to kStopMargin from its stop. Then find by bisection
+// the thigh angle at which the foot is behind the hip and `depth` [m] below the base. 40 bisections
+// of at most 4 rad leave an error of 4e-12 rad.
 void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
   const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
   const bool negative = config.q_standing[calf] < 0.0;
@@ -85,6 +88,7 @@ void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth,
   }
 }
 
+// Compute the limits of ds/dt, the duration of the path, and its largest holding torque.
 void plan_rates(const RobotConfig& config, LyingPose& pose, double watts, RisePlan& plan) {
   for (int k = 0; k < RisePlan::kSamples; ++k) {
     const double s = double(k) / (RisePlan::kSamples - 1);

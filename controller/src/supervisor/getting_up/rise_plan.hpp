@@ -13,27 +13,34 @@ namespace surefoot {
 /// The path is a parabola in joint space with parameter s = 0 .. 1:
 ///   q(s) = (1 - s)^2 folded + 2 s (1 - s) crouched + s^2 standing
 /// folded: legs beside the lying body, knees up, feet behind the hips. crouched: calves still
-/// folded, feet below the hips. The path bends towards `crouched`, so that the body is above its
-/// feet before it rises. On a straight line the body would be ahead of its feet for half of the
-/// path, and would tip forward with a load or on a downward slope. All legs move alike, so the
-/// distances between the feet stay constant and no foot slips.
+/// folded, feet below the hips; the path passes near this pose, not through it. The path bends
+/// towards `crouched`, so that the body is above its feet before it rises. On a straight line the
+/// body would be ahead of its feet for half of the path, and would tip forward with a load or on a
+/// downward slope. All legs move alike, so the distances between the feet stay constant and no foot
+/// slips.
 struct RisePlan {
-  /// Number of samples of s, which have 64 equal steps between them.
+  /// Number of samples of s: 64 equal steps from 0 to 1.
   static constexpr int kSamples = 65;
   Vector12 folded = Vector12::Zero();    ///< [rad] s = 0: feet just above the ground
   Vector12 crouched = Vector12::Zero();  ///< [rad] pose towards which the path bends
   Vector12 standing = Vector12::Zero();  ///< [rad] s = 1: the standing pose
-  /// [rad] Hip angles turned outward for folding; other joints 0.
+  /// [rad] Hip angles of legs that are turned outward while they fold. Signed: negative at right
+  /// legs. Other joints: 0.
   Vector12 hip_outward = Vector12::Zero();
-  /// [rad] Largest hip angles outward; other joints 0.
+  /// [rad] Outward joint limits of the hips, less a margin. Signed: negative at right legs. Other
+  /// joints: 0.
   Vector12 hip_outward_max = Vector12::Zero();
   Vector12 lower = Vector12::Zero();    ///< [rad] lower joint limits plus a margin
   Vector12 upper = Vector12::Zero();    ///< [rad] upper joint limits minus a margin
   std::array<double, kSamples> rate{};  ///< [1/s] limit of ds/dt at s = k / (kSamples - 1)
   double stiffness = 0.0;               ///< [N.m/rad] K of JointImpedance, the same for all joints
-  double damping = 0.0;       ///< [N.m.s/rad] D of JointImpedance, the same for all joints
-  double torque_share = 0.0;  ///< largest holding torque on the path, as a share of tau_max
-  double time = 0.0;          ///< [s] duration from folded to standing at the limit of ds/dt
+  double damping = 0.0;  ///< [N.m.s/rad] D of JointImpedance, the same for all joints
+  /// Largest holding torque on the path, as a share of tau_max. The robot can rise only if it is
+  /// below 1.
+  double torque_share = 0.0;
+  /// [s] Duration from folded to standing if ds/dt is always at its limit: without acceleration and
+  /// braking.
+  double time = 0.0;
 
   /// Return the limit of ds/dt at s [1/s], interpolated between samples.
   double rate_at(double s) const noexcept;

@@ -15,7 +15,7 @@ RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept {
   if ((lying && !context.ready) || (mode != Mode::kSit && context.must_sit)) {
     return RequestStatus::kNotReady;
   }
-  // A rise may be interrupted at any time, because TorqueFade can reverse a fade at any point.
+  // A rise may be interrupted even during its fade, because TorqueFade can reverse a fade.
   const bool busy = context.fading && context.mode != Mode::kRise;
   return busy ? RequestStatus::kBusy : RequestStatus::kAccepted;
 }
@@ -45,12 +45,14 @@ RequestStatus Requests::post(int request) noexcept {
   return posted ? RequestStatus::kAccepted : RequestStatus::kBusy;
 }
 
+// Bits: 0 .. 7 mode, 8 state_valid, 9 armed, 10 ready, 11 fading, 12 must_sit, 13 checks_waived.
 int Requests::pack(const RequestContext& context) noexcept {
   return static_cast<int>(context.mode) | context.state_valid << 8 | context.armed << 9 |
          context.ready << 10 | context.fading << 11 | context.must_sit << 12 |
          context.checks_waived << 13;
 }
 
+// In the struct, must_sit (bit 12) comes before fading (bit 11).
 RequestContext Requests::unpack(int bits) noexcept {
   return {static_cast<Mode>(bits & 0xFF), (bits >> 8 & 1) != 0,  (bits >> 9 & 1) != 0,
           (bits >> 10 & 1) != 0,          (bits >> 12 & 1) != 0, (bits >> 11 & 1) != 0,

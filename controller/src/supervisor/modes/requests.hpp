@@ -14,7 +14,7 @@ struct RequestContext {
   bool state_valid = false;  ///< true if valid samples arrive
   bool armed = false;
   bool ready = false;          ///< true if all arming checks have passed for arming_time
-  bool must_sit = false;       ///< true if a fault keeps the robot down
+  bool must_sit = false;       ///< true if a fault or a lost leg forbids to rise or stand
   bool fading = false;         ///< true if torques fade between modes
   bool checks_waived = false;  ///< true for Start::kStanding: arm() needs no checks
 };
@@ -25,22 +25,24 @@ RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept;
 RequestStatus judge_arming(const RequestContext& context) noexcept;
 
 /// Mailbox for requests from any thread to the tick. It holds one request; while it is full,
-/// further requests return kBusy. A stop has its own flag and is never rejected. Lock-free.
-/// Real-time: yes.
+/// further requests return kBusy. A stop has a flag of its own and is never rejected. The class
+/// uses no locks. Real-time: yes.
 class Requests {
  public:
   // For any thread:
   RequestStatus request_mode(Mode mode) noexcept;
   RequestStatus request_arming() noexcept;
-  /// Request that the next tick latches damping. This request cannot be rejected.
+  /// Request that the next tick latches damping. This request is never rejected.
   void stop() noexcept { stop_.store(true); }
   RequestContext context() const noexcept { return unpack(context_.load()); }
 
   // For the tick:
   void publish(const RequestContext& context) noexcept { context_.store(pack(context)); }
   bool take_stop() noexcept { return stop_.exchange(false); }
+  // Requests that are not a Mode; a Mode is 0 or more, and less than kArm.
   static constexpr int kNoRequest = -1, kArm = 100;
-  int take() noexcept { return pending_.exchange(kNoRequest); }  ///< a Mode, kArm or kNoRequest
+  /// Remove and return the pending request: a Mode, kArm or kNoRequest.
+  int take() noexcept { return pending_.exchange(kNoRequest); }
 
  private:
   static int pack(const RequestContext& context) noexcept;

@@ -24,9 +24,9 @@ enum class TorqueSource { kDamping, kImpedance, kController };
 /// weights. Real-time: yes.
 class TorqueFade {
  public:
-  /// [s] Duration of a fade. Chosen. If shorter: torques change faster than TorqueRateLimiter
+  /// [s] Duration of a fade. Chosen. If much shorter: torques change faster than TorqueRateLimiter
   /// allows (9.5 % of the limits in 2 ms). If longer: the robot sinks during the fade, and requests
-  /// are rejected as busy.
+  /// are rejected (kBusy) for longer.
   static constexpr double kTime = 0.25;
 
   /// Begin a fade to source `next`. This has no effect if `next` is already the goal.
@@ -50,7 +50,7 @@ class TorqueFade {
   }
   TorqueSource from() const noexcept { return from_; }
   TorqueSource to() const noexcept { return to_; }
-  /// weight w of to()
+  /// Return the weight w of to(), 0 .. 1. The weight of from() is 1 - w.
   double weight() const noexcept { return smoothstep(1.0 - time_left_ / kTime); }
 
  private:

@@ -11,21 +11,21 @@ namespace surefoot {
 
 /// Limits the rate of change of torques.
 ///
-/// The changes of all motors are scaled by one factor, so that no torque changes faster than
-/// kMaxRate and the direction of the change is kept. A new damping Kd also changes the torque of a
+/// All torque changes are scaled by one factor, so that no torque changes faster than kMaxRate, and
+/// the ratios between the changes stay the same. A new damping Kd also changes the torque of a
 /// motor, so the last torques are first converted to the new Kd. Real-time: yes.
 class TorqueRateLimiter {
  public:
   /// [1/s] Largest rate of a torque, in tau_max per second: 9.5 % of tau_max in 2 ms, or 1100 N.m/s
-  /// for the hips of a go1 (libfranka: 1000). Derived: 5 % below the rate of 10 % in 2 ms that
-  /// `surefoot faults` allows. Without the limit, torques would change by up to 13 % in 2 ms, for
-  /// two or three periods, after pushes of half of the largest survived impulse.
+  /// for the hips of a go1 (libfranka allows 1000 N.m/s). Derived: a little below the 10 % in 2 ms
+  /// that `surefoot faults` allows. Without the limit, torques would change by up to 13 % in 2 ms,
+  /// for two or three periods, after pushes of half of the largest survived impulse.
   static constexpr double kMaxRate = 47.5;
 
   explicit TorqueRateLimiter(const Vector12& tau_max) : tau_max_(tau_max) {}
 
-  /// [s] Longest period over which a torque may change: one period at 500 Hz. With a longer period
-  /// the torque of a motor could jump further.
+  /// [s] limit() counts a longer period as this period: one period at 500 Hz. So after a missed
+  /// tick no torque can jump further than in a usual tick.
   static constexpr double kMaxPeriod = 0.002;
 
   /// Limit the change of the torques since the last command.
@@ -69,8 +69,8 @@ class TorqueRateLimiter {
   static Vector12 unknown() noexcept { return Vector12::Constant(NAN); }
 
   /// Return the velocities, with each outlier replaced by the last velocity of its joint. An
-  /// outlier differs by more than kMaxSpeedStep from both of the last two velocities. An outlier is
-  /// a sensor error, and would cause a torque jump while damping fades.
+  /// outlier differs by more than kMaxSpeedStep from both of the last two velocities of the joint.
+  /// It is a sensor error, and would cause a torque jump when Kd changes during a fade.
   Vector12 plausible_speeds(const Vector12& dq) const noexcept {
     Vector12 out = dq;
     for (int i = 0; i < kMotors; ++i) {
@@ -80,8 +80,9 @@ class TorqueRateLimiter {
     }
     return out;
   }
-  /// Return the torques that, sent with damping `kd`, give the same motor torques as the last
-  /// command. They are limited to tau_max, because a braking motor cannot exceed its limit either.
+  /// Return the torques that, sent together with the damping `kd`, give the same motor torques as
+  /// the last command. The result is limited to tau_max: torque plus damping of a motor cannot
+  /// exceed this limit.
   Vector12 equivalent_torques(const Vector12& kd, const Vector12& dq) const noexcept {
     const Vector12 tau = last_ + (kd - kd_).cwiseProduct(dq);
     return tau.cwiseMax(-tau_max_).cwiseMin(tau_max_);

@@ -12,12 +12,14 @@ namespace surefoot {
 namespace {
 
 // The constants are chosen by hand.
-// [s] Duration of the hips' motion outward, and of the motion back. Chosen so that hips stay below
-// 1 rad/s (test_rise_checks).
+// [s] Duration of the hips' motion outward, and of the motion back. The hips reach
+// 1.5 kHipOutward / kMoveTime = 0.9 rad/s, and must stay below 1 rad/s (test_rise_checks).
 constexpr double kMoveTime = 0.6;
-// [s] Pause before torques are averaged: five times the time constant D / K of the impedance.
+// [s] Pause before torques are averaged: five times the time constant D / K of JointImpedance
+// (kDampingTime in rise_plan.cpp), so that the hips come to rest.
 constexpr double kSettleTime = 0.15;
 constexpr double kAveragingTime = 0.2;  // [s] duration of the average: 100 ticks at 500 Hz
+// [s] Time since the start at which the average ends and the hips begin to move back.
 constexpr double kReturnTime = kMoveTime + kSettleTime + kAveragingTime;
 
 }  // namespace
@@ -61,8 +63,10 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
 }
 
 // Judge the ratios measured / model. If the ratios are wrong but alike, the robot is not the robot
-// of the model. If the ratio of one leg differs, this leg is on the wrong side. The logarithm uses
-// 1e-3 for ratios below 1e-3, also for negative ratios.
+// of the model (kWrongWeight). Otherwise the leg with the worst ratio is on the wrong side
+// (kWrongSide). The worst ratio is the one whose logarithm has the largest magnitude; ratios below
+// 1e-3, also negative ratios, count as 1e-3. If only one side is weighed, the worst ratio is the
+// largest one.
 void LegWeightCheck::judge() noexcept {
   int worst = 0, heaviest = 0, leg_count = 0;
   double worst_log_ratio = -1.0, mean_ratio = 0.0;

@@ -18,9 +18,10 @@ namespace surefoot {
 ///
 /// The hips move outward by kHipOutward, because the body may rest on legs whose hips are straight.
 /// A leg on the wrong side moves inward instead and soon lies on the ground. After a pause the
-/// torques are averaged, then the hips move back. The verdict uses ratio = measured / model of each
-/// leg. If all ratios are wrong by a similar factor, the robot is not the robot of the model. If
-/// one ratio differs, this leg is on the wrong side.
+/// torques are averaged, then the hips move back. The verdict uses the ratio of each leg: measured
+/// hip torque / hip torque of the model. If all ratios are wrong by a similar factor, the robot is
+/// not the robot of the model. If the ratio of one leg differs from the others, this leg is on the
+/// wrong side.
 ///
 /// If the legs of one side do not fold, only the legs of the other side are weighed. The body may
 /// lean on the weighed legs, which reduces or reverses their torques. So only kMaxPartialRatio is
@@ -37,8 +38,8 @@ class LegWeightCheck {
   static constexpr double kMinRatio = 0.4;  ///< Smallest ratio of a leg that hangs free.
   /// Largest ratio of a leg that hangs free, friction of its hip included.
   static constexpr double kMaxRatio = 2.5;
-  /// Largest ratio of a leg divided by the smallest. Below this value the ratios are alike: the
-  /// robot is not the robot of the model, and no leg is on the wrong side.
+  /// Ratios are alike if the largest ratio divided by the smallest is below this value. If the
+  /// ratios are wrong but alike, no leg is on the wrong side: it is another robot.
   static constexpr double kMaxSpread = 2.0;
   static constexpr double kMinMeanRatio = 0.6;  ///< Smallest mean ratio of all legs.
   /// Largest mean ratio of all legs, with shin guards or other additional parts.
@@ -56,7 +57,7 @@ class LegWeightCheck {
   void start(const Vector12& reference, const std::array<bool, kLegs>& legs) noexcept;
   /// Advance by dt [s] and return the joint reference.
   /// @param measured joint torques, SDK motor order [N.m]
-  /// @param model gravity torques of the legs, SDK motor order [N.m]
+  /// @param model gravity torques of the model's legs, SDK motor order [N.m]
   const JointReference& step(const Vector12& measured, const Vector12& model, double dt) noexcept;
   Verdict verdict() const noexcept { return verdict_; }
   /// Return the SDK number of the hip that was found on the wrong side, or -1.

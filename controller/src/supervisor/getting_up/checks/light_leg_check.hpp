@@ -43,7 +43,7 @@ class LightLegCheck {
 
   /// Process a sample. Torques are in SDK motor order.
   /// @param measured joint torques [N.m]
-  /// @param model gravity torques of the legs [N.m]
+  /// @param model gravity torques of the model's legs [N.m]
   /// @param dt [s] time since the previous sample
   void update(const Vector12& measured, const Vector12& model, double dt) noexcept {
     time_ += dt;

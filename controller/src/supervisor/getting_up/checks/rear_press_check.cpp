@@ -8,11 +8,13 @@ namespace surefoot {
 
 namespace {
 
-// The constants are chosen by hand; benchmarks/get_up.py covers them. If slower: a rise takes
-// longer. If faster: the press takes more power.
-// [1/s] Largest rate of s; slower than the 0.8 of RisePlan for all legs.
+// The constants are chosen by hand; benchmarks/get_up.py covers them.
+//
+// [1/s] Largest rate of the path parameter s. If smaller: a rise takes longer. If larger: the press
+// takes more power. Smaller than 0.8, the largest rate of RisePlan, because two legs carry the load
+// of four.
 constexpr double kRate = 0.5;
-// [1/s] Smallest rate near the goal, so that s arrives in finite time.
+// [1/s] s is set to its goal once this rate or the present rate would reach the goal in one tick.
 constexpr double kMinRate = 0.01;
 constexpr double kAcceleration = 4.0;  // [1/s^2] acceleration of s: it reaches kRate in 1/8 s
 constexpr double kFollowTime = 0.3;    // [s] pause at full extension, so that the body can follow
@@ -36,7 +38,8 @@ const JointReference& RearPressCheck::step(const Quaternion& R_world_base, doubl
   return reference_;
 }
 
-// The yaw of the body is ignored, because any press turns a body that lies on few points.
+// Start a press after a pause, and end it when the front has moved or the legs are extended. The
+// yaw of the body is ignored, because any press changes the yaw of a body that lies on few points.
 void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, double dt) noexcept {
   const bool at_end = s_ == (pressing_ ? kMaxExtension : 0.0);
   wait_time_ = at_end ? wait_time_ + dt : 0.0;
@@ -53,6 +56,7 @@ void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, doubl
   const bool wrong_motion = diagonal_pair || turn.y() < -kMaxNoseUp;
   if (wrong_motion) nose_went_down_ = false;
   if (!nose_went_down_ && !wrong_motion && wait_time_ < kFollowTime) return;
+  // The robot hangs, so no motion of the front is needed: count this press as passed.
   if (!nose_went_down_ && !wrong_motion && load < kMinLoad) nose_went_down_ = true;
   pressing_ = false;
   ++tries_;
@@ -60,6 +64,7 @@ void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, doubl
 
 void RearPressCheck::step_path(double dt) noexcept {
   const double goal = pressing_ ? kMaxExtension : 0.0, remaining = goal - s_;
+  // Rate from which s stops at the goal with kAcceleration / 2; the other half is a reserve.
   const double braking_rate = std::sqrt(kAcceleration * std::abs(remaining));
   const double desired = std::copysign(std::min(kRate, braking_rate), remaining);
   ds_ += std::clamp(desired - ds_, -kAcceleration * dt, kAcceleration * dt);

@@ -7,12 +7,12 @@
 namespace surefoot {
 
 /// Rear press check: when the rear legs of a lying robot press on the ground, the front of the body
-/// must go down.
+/// (the nose) must go down.
 ///
 /// If front and rear leg of one side are swapped, only the motion of the body reveals this. So,
-/// before the body leaves the ground, only the two rear legs extend along the path of the rise. The
-/// rear legs stop at s = kMaxExtension, or when the front of the body has gone down by
-/// kMinNoseDown.
+/// before the body leaves the ground, only the two rear legs extend along the path of RisePlan. The
+/// rear legs stop at the path parameter s = kMaxExtension, or when the front of the body has gone
+/// down by kMinNoseDown.
 ///
 /// If the two pressing legs really are a diagonal pair, they also roll the body and carry all of
 /// its weight; a true rear pair shares the weight with the front of the body. So the press fails if
@@ -23,16 +23,19 @@ namespace surefoot {
 /// robot hangs and the check passes. Real-time: yes.
 class RearPressCheck {
  public:
-  // The limits are chosen between values measured in simulation (docs/explanation/getting-up.md). A
-  // true rear pair rolls an a1, go1 and b1 by at most 0.1 degrees, and carries at most 0.21 of the
-  // weight of an a1, go1 and go2. A diagonal pair rolls a body by at least 0.4 degrees and carries
-  // at least 0.26. Tests: test_rise_checks.cpp.
+  // The limits are chosen between values measured in simulation (docs/explanation/getting-up.md).
+  // Roll: a true rear pair rolls an a1, go1 or b1 by at most 0.1 degrees, a diagonal pair by at
+  // least 0.4 degrees. Load, as a share of the weight: a true rear pair of an a1, go1 or go2
+  // carries at most 0.21, a diagonal pair at least 0.26. A true pair may exceed one of these limits
+  // (a go2 rolls by 2.4 degrees), so both are needed. Tests: test_rise_checks.cpp.
   /// [rad] 3.4 degrees: the check passes if the front goes down by more than this.
   static constexpr double kMinNoseDown = 0.06;
   /// [rad] 0.7 degrees: the press fails if the front goes up by more than this.
   static constexpr double kMaxNoseUp = 0.012;
-  static constexpr double kMaxRoll = 0.004;  ///< [rad] 0.2 degrees: roll to either side that fails
-  /// [m g] Load on the legs, from load_share(), above which the pair is diagonal.
+  /// [rad] 0.2 degrees: the press fails above this roll to either side, if the load is above
+  /// kDiagonalLoad too.
+  static constexpr double kMaxRoll = 0.004;
+  /// [m g] Load on the legs, from load_share(), above which a pair that rolls the body is diagonal.
   static constexpr double kDiagonalLoad = 0.24;
   /// [m g] Load on the legs, from load_share(), below which the legs press on nothing.
   static constexpr double kMinLoad = 0.1;
@@ -60,6 +63,7 @@ class RearPressCheck {
 
   void evaluate(const Quaternion& R_world_base, double load, double dt) noexcept;
   void step_path(double dt) noexcept;
+  // Return whether the legs are folded again after a press.
   bool is_lowered() const noexcept { return tries_ > 0 && !pressing_ && s_ == 0.0; }
 
   RisePlan plan_;
@@ -69,7 +73,7 @@ class RearPressCheck {
   bool pressing_ = false, nose_went_down_ = false;
   int tries_ = 0;
   double s_ = 0.0, ds_ = 0.0;  // s_: path parameter; ds_: its rate [1/s]
-  double wait_time_ = 0.0;     // [s] time for which s has been at its goal
+  double wait_time_ = 0.0;     // [s] time for which s has been at its goal: kMaxExtension or 0
 };
 
 }  // namespace surefoot

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds out why a folding failed.
+// Decides whether a side is weighed alone, and whether the legs are pinned, when folding does not
+// succeed.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +11,12 @@ namespace surefoot {
 
 namespace {
 // The constants are chosen by hand; test: body_that_blocks_all_legs_is_pinned.
-// [rad] Change of tilt from which the body moves freely. Larger than noise, and smaller than the
-// tilt of a lift that frees a leg.
+// [rad] Change of tilt from which the body counts as free to move. Larger than noise, and smaller
+// than the tilt change when a leg lifts the body and comes free.
 constexpr double kMinTiltChange = 0.1;
-constexpr double kMinHipMotion = 0.45;  // [rad] motion of a hip that is more than play
+// [rad] Motion of a hip from which the leg counts as free to move. Larger than the play of a
+// blocked leg.
+constexpr double kMinHipMotion = 0.45;
 }  // namespace
 
 int LegFolding::max_catches() const noexcept {
@@ -27,6 +30,7 @@ std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const 
   if (rollover_.releases_legs() || max_catches() < next_weighing_) return side;
   const int min_tries = rollover_.rolls() > 0 ? 0 : kMinCatches;
   for (int leg = 0; leg < kLegs; ++leg) {
+    // The largest number of catches of the two legs on the other side.
     const int caught =
         std::max(legs_[lateral_neighbor(leg)].catches, legs_[diagonal_leg(leg)].catches);
     side[leg] = caught >= min_tries && folded(leg, measured) &&
@@ -35,7 +39,8 @@ std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const 
   return side;
 }
 
-// Calves and thighs are not checked, because they may have some play even if the leg is blocked.
+// Only hips are compared with kMinHipMotion, because thigh and calf of a blocked leg can still move
+// a little.
 bool LegFolding::pinned(const Vector12& measured, const Vector3& up) const noexcept {
   bool all = rollover_.rolls() == 0 && std::abs(tilt_angle(up) - tilt_start_) < kMinTiltChange;
   for (int leg = 0; leg < kLegs; ++leg) {

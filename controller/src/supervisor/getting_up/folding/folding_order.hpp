@@ -12,16 +12,17 @@ namespace surefoot {
 /// Folding order of a lying robot's legs: decides which diagonal pair waits until the other pair
 /// has folded.
 ///
-/// The legs of a leaning body support it and keep it from rolling over. The front leg on the lower
-/// side supports most, so its diagonal pair waits. There are two exceptions:
+/// The legs of a leaning body support the body and keep it from rolling over. The front leg on the
+/// lower side supports most, so the diagonal pair with this front leg waits. There are two
+/// exceptions:
 /// - If this front leg is drawn in under the body, and the knee of the other front leg is not up,
-///   the diagonal pair of the other front leg waits.
-/// - If the rear leg of the chosen pair is drawn in with its knee down, it would turn the body over
-///   after the other legs have folded. Then the other pair waits, unless its rear leg is drawn in
-///   too.
+///   the diagonal pair with the other front leg waits.
+/// - If the rear leg of the chosen pair is drawn in with its knee down, this rear leg would roll
+///   the body over after the other legs have folded. Then the other pair waits, unless its rear leg
+///   too is drawn in with its knee down.
 ///
-/// The wait is limited, because the legs may block each other. Level bodies need no order, and
-/// robots with a wide belly set the wait to 0. Real-time: yes.
+/// The wait is limited, because the legs may block each other. On a level body no pair waits. For
+/// robots with a wide belly, the gain fold_wait is 0, so that no pair ever waits. Real-time: yes.
 class FoldingOrder {
  public:
   struct Leg {
@@ -37,6 +38,7 @@ class FoldingOrder {
              double wait) noexcept {
     time_left_ = always || std::hypot(up.x(), up.y()) > kMinTilt ? wait : 0.0;
     const int lower = up.y() > 0.0 ? FR_ : FL_;
+    // The chosen front leg is drawn in, and the knee of the other front leg is not up.
     const bool crossed = legs[lower].inward > kHipInward && legs[1 - lower].thigh < kKneeUp;
     waiting_front_leg_ = crossed ? 1 - lower : lower;
     const auto turns_over = [&](int front) {
@@ -61,7 +63,8 @@ class FoldingOrder {
   // The constants are chosen by hand from rises of a go2 (benchmarks/false_trips.py: no trip in 515
   // rises). The angles are the same as in folding_path.cpp. Test:
   // legs_of_a_leaning_body_fold_one_diagonal_pair_at_a_time.
-  // Sine of 11.5 degrees: the body leans if the sine of its tilt is larger.
+  //
+  // The body leans if the sine of its tilt is larger than this: 11.5 degrees.
   static constexpr double kMinTilt = 0.2;
   // [rad] Hip angle above which a leg is drawn in under the body.
   static constexpr double kHipInward = 0.5;

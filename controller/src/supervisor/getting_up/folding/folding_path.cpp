@@ -12,7 +12,9 @@ namespace {
 // The angles are chosen by hand for the shape of Unitree's legs, with poses from which legs failed
 // to fold. Measured with these values (benchmarks/get_up.py): 1000 of 1000 dropped robots stand,
 // 250 of each model. Tests: test_leg_folding.cpp. Thigh angles are positive in the folding
-// direction, hip angles are positive inward.
+// direction, hip angles are positive inward. As the thigh folds, its angle rises through these
+// stages: the leg points ahead, the knee is below the hip, the knee points back, the knee is up.
+//
 constexpr double kHipInward = 0.5;        // [rad] hip angle above which a leg is under the body
 constexpr double kThighAhead = -0.3;      // [rad] thigh angle below which a leg points ahead
 constexpr double kHipInwardRolled = 0.4;  // [rad] kHipInward after the body has rolled
@@ -20,16 +22,20 @@ constexpr double kHipInwardRolled = 0.4;  // [rad] kHipInward after the body has
 constexpr double kStretchAheadLimit = 0.8;
 // [rad] A leg can be stretched ahead only if the forward limit of its thigh is below this angle.
 constexpr double kMinStretchReach = -0.8;
-// [rad] In a stretch, the hip opens when the errors of thigh and calf are smaller than this angle.
+// [rad] During the stretch motion, the hip turns outward once the errors of thigh and calf are
+// smaller than this angle.
 constexpr double kStretchTolerance = 0.3;
-// [rad] Thigh angle from which the hip begins to turn outward.
+// [rad] Sweep: the hip turns outward between the first two thigh angles, and back between the last
+// two. From kKneeUp on, the knee is up and the hip is straight.
 constexpr double kKneeOutwardStart = -0.8;
-constexpr double kKneeOutwardFull = 0.2;  // [rad] thigh angle from which the hip is fully outward
-constexpr double kKneeOutwardEnd = 1.3;   // [rad] thigh angle from which the hip turns back
-constexpr double kKneeUp = 2.2;           // [rad] thigh angle from which the hip is straight
-// [rad] Thigh angle of a thigh that is turned back along the body.
+constexpr double kKneeOutwardFull = 0.2;
+constexpr double kKneeOutwardEnd = 1.3;
+constexpr double kKneeUp = 2.2;
+// [rad] Thigh angle at which the thigh points back along the body, in the stretch and knee-back
+// motions.
 constexpr double kKneeBack = 1.9;
-// [rad] The thigh stays turned back while the error of the hip is larger than this angle.
+// [rad] Knee-back motion: the thigh stays at kKneeBack while the error of the hip is larger than
+// this angle.
 constexpr double kHipTolerance = 0.2;
 
 // Return the thigh angle x [rad], with its sign changed if necessary so that it is positive in the
@@ -43,6 +49,7 @@ double forward_limit(const RisePlan& plan, int thigh) noexcept {
   return plan.folded[thigh] > 0.0 ? plan.lower[thigh] : plan.upper[thigh];
 }
 
+// Return whether a leg must be stretched before it folds, see folding_target().
 bool must_stretch(const RisePlan& plan, int leg, const Vector3& q, bool rolled) noexcept {
   const int hip = kLegJoints * leg, thigh = hip + 1;
   const double inward = -std::copysign(1.0, plan.hip_outward_max[hip]) * q[0];

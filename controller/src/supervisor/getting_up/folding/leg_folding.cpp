@@ -20,26 +20,28 @@ constexpr double kSpeed = 1.2;
 constexpr double kAcceleration = 15.0;
 // [1/s] Speed of a joint reference near its target, divided by its distance to the target.
 constexpr double kSettlingRate = 4.0;
-// [rad] Largest lead of a joint reference over the joint. Smaller than kMaxDeflection of
-// JointImpedance.
+// [rad] Largest lead of a joint reference over the measured joint angle. Smaller than
+// kMaxDeflection of JointImpedance (0.45).
 constexpr double kMaxLead = 0.4;
-// [rad] Replaces kMaxLead for two legs that may block each other. With a smaller lead they take
-// less power when they come free.
+// [rad] Replaces kMaxLead for two legs that may block each other. With a smaller lead, the springs
+// of these legs take less power when the legs come free.
 constexpr double kInterferenceLead = 0.3;
 // [s] Folding time of a leg for which the stretch and knee-back motions are allowed; after this
 // time, only the sweep (see folding_target()).
 constexpr double kDetourTime = 4.0;
-// [s] Time constant with which references approach released joints, so that torques do not jump.
+// [s] Time constant with which the references of released legs approach the measured angles, so
+// that torques do not jump.
 constexpr double kReleaseTime = 0.03;
 // [rad] Error below which a reference is at its target.
 constexpr double kReferenceTolerance = 0.005;
 // [rad] Error below which a joint is at its target. Friction and ground can cause such an error.
 constexpr double kJointTolerance = 0.25;
-// [rad] A leg that moves by less than this within kCatchTime has caught.
+// [rad] A leg that is not folded has caught if none of its joints moves by more than this within
+// kCatchTime.
 constexpr double kMinMovement = 0.1;
 constexpr double kCatchTime = 1.0;    // [s] in this time a leg could move by 1.2 rad
 constexpr double kBackOutTime = 1.5;  // [s] duration of backing out: up to 1.8 rad at kSpeed
-// [rad] Displacement of the thigh while the leg backs out, multiplied by the number of catches.
+// [rad] Displacement of the thigh per catch: after n catches, the thigh backs out by n times this.
 constexpr double kBackOutStep = 0.6;
 
 }  // namespace
@@ -73,8 +75,8 @@ void LegFolding::restart(const Vector12& measured, const Vector3& up) noexcept {
                rollover_.rolls() > 0, wait_);
 }
 
-// The references follow the measured angles. So the springs have no deflection, the motors only
-// damp, and the body sinks to the ground.
+// Let the references follow the measured angles. So the springs have little deflection, the motors
+// give only damping and gravity torques, and the body sinks to the ground.
 void LegFolding::relax_legs(const Vector12& measured, const Vector3& up, double dt) noexcept {
   reference_.q += dt / (dt + kReleaseTime) * (measured - reference_.q);
   reference_.dq.setZero();
@@ -98,7 +100,7 @@ bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
   return max_error(reference_.q) < kReferenceTolerance && max_error(measured) < kJointTolerance;
 }
 
-// A leg has caught if it is not folded and does not move.
+// Count a catch of a leg that is not folded and does not move, and start to back out.
 void LegFolding::detect_catch(int leg, const Vector12& measured, double dt) noexcept {
   Leg& own = legs_[leg];
   if (own.back_out_time > 0.0 || own.rest_time > 0.0) {
@@ -154,6 +156,7 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
 void LegFolding::step_joint(int joint, double desired, double measured, double dt) noexcept {
   double &q = reference_.q[joint], &dq = reference_.dq[joint];
   const double remaining = desired - q;
+  // The speed is reduced from half of the allowed lead on, and is 0 at the allowed lead.
   const double lead = legs_[joint / kLegJoints].interfered ? kInterferenceLead : kMaxLead;
   const double lead_ratio = std::copysign(1.0, remaining) * (q - measured) / lead;
   const double max_speed = kSpeed * std::clamp(2.0 * (1.0 - lead_ratio), 0.0, 1.0);

@@ -12,14 +12,15 @@ namespace surefoot {
 
 /// Folding: moves the legs of a lying robot from any measured pose to RisePlan::folded.
 ///
-/// Every joint reference moves towards folding_target(), and waits if its joint lags behind. All
-/// legs move at once, but one diagonal pair waits if the body leans or has rolled (FoldingOrder,
-/// gain fold_wait).
+/// Every joint reference moves towards folding_target(), and waits if the measured joint lags
+/// behind. All legs move at once. Exception: if the body leans or has rolled, one diagonal pair
+/// waits for at most the gain fold_wait (FoldingOrder).
 ///
-/// Catching: a leg that does not move for kCatchTime has caught on something. The leg then backs
-/// out, with the hip outward and the calf open, and further with each catch. On every second catch
-/// the leg rests and its neighbour on the same side backs out instead, because the neighbour may
-/// have folded onto the leg. If a leg catches more than kMaxCatches times, the folding is stuck().
+/// Catching: a leg that does not move for 1 s (kCatchTime) before it is folded has caught on
+/// something. The leg then backs out, with the hip outward and the calf open, and further with each
+/// catch. On every second catch the leg rests, and its neighbour on the same side backs out
+/// instead, because the neighbour may have folded onto the leg. If a leg catches more than
+/// kMaxCatches times, the folding is stuck().
 ///
 /// Rolling: if the body rolls over its legs, all legs are released for 1 s and then fold again;
 /// drawn-in legs stretch first. If the body still rolls after two releases, it has rolled_over().
@@ -38,25 +39,27 @@ class LegFolding {
   const JointReference& step(const Vector12& measured, const Vector3& up, double dt) noexcept;
   /// Return whether all joint references and legs have reached RisePlan::folded.
   bool done() const noexcept { return done_; }
-  /// Return the folded legs of one side if this side is to be weighed alone, otherwise no leg (all
-  /// false). A side is weighed alone if a leg of the other side has caught kMinCatches times, or if
-  /// the body has rolled, because the folding of all four legs may then never end. After
-  /// side_weighed(), no side is returned until a leg has caught kCatchesBetween more times.
+  /// Return the folded legs of one side if LegWeightCheck should weigh this side alone, otherwise
+  /// no leg (all false). A side is weighed alone if a leg of the other side has caught kMinCatches
+  /// times, or if the body has rolled, because the folding of all four legs may then never end.
+  /// After side_weighed(), no side is returned until the largest number of catches of any leg has
+  /// grown by kCatchesBetween.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
   /// Record that a side has been weighed.
   void side_weighed() noexcept { next_weighing_ = max_catches() + kCatchesBetween; }
-  /// Return whether the body rolls over its folded legs. Call this instead of step() while the legs
-  /// are weighed or press. If it returns true, continue with step(), which releases the legs and
-  /// folds them again.
-  /// @param held present reference of all legs
+  /// Return whether the body rolls over its folded legs. Call this instead of step() in the stages
+  /// kWeigh and kPress of the rise. If the result is true, continue with step(), which releases the
+  /// legs and folds them again.
+  /// @param held present joint reference of all legs; folding starts again from this reference
   bool detect_rollover(const JointReference& held, const Vector3& up, double dt) noexcept;
   /// Return whether no leg can move: all legs have caught, no leg is folded, hips and tilt have
-  /// hardly changed, and the body has not rolled. The legs are then held, or too heavy for the
-  /// impedance.
+  /// hardly changed, and the body has not rolled. Then a person or an obstacle holds the legs, or
+  /// the legs are too heavy for JointImpedance.
   bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
   /// Return whether the body still rolls over its legs after two releases.
   bool rolled_over() const noexcept { return rollover_.rolled_over(); }
-  /// Return whether folding has taken too long, or a leg has caught too often.
+  /// Return whether folding is not done, and has taken longer than kTimeout or a leg has caught
+  /// more than kMaxCatches times.
   bool stuck() const noexcept {
     return !done_ && (time_ > kTimeout || max_catches() > kMaxCatches);
   }
@@ -68,8 +71,10 @@ class LegFolding {
   static constexpr double kTimeout = 40.0;
   // Largest number of catches of one leg. Eight catches take 8 (kCatchTime + kBackOutTime) = 20 s.
   static constexpr int kMaxCatches = 8;
-  static constexpr int kMinCatches = 2;  // number of catches that a healthy leg seldom reaches
-  // Number of catches from one weighing of a side to the next.
+  // Number of catches of one leg after which the other side may be weighed alone. A healthy leg
+  // seldom reaches it.
+  static constexpr int kMinCatches = 2;
+  // Number of further catches after which a side is weighed again.
   static constexpr int kCatchesBetween = 2;
 
   struct Leg {

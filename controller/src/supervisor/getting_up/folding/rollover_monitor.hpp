@@ -10,8 +10,9 @@ namespace surefoot {
 /// Detects a lying body that rolls over its folding legs.
 ///
 /// A roll is a tilt above kRollTilt that has grown by kMinTiltIncrease. The legs are then released
-/// for kReleaseTime, early enough for the body to fall back. This happens at most twice. If the
-/// body still rolls after two releases, it counts as rolled over: the legs are not where the model
+/// for kReleaseTime, early enough for the body to fall back. The legs are released at most twice.
+/// The body counts as rolled over if, after a release, its tilt exceeds kRolledOverTilt, or if,
+/// after two releases, its roll angle exceeds kRepeatedRoll. Then the legs are not where the model
 /// assumes them, or an obstacle is in the way. Real-time: yes.
 class RolloverMonitor {
  public:
@@ -46,18 +47,19 @@ class RolloverMonitor {
   // The limits are chosen between tilts measured with benchmarks/false_trips.py
   // (docs/explanation/getting-up.md): no trip of a go2 in 515 rises.
   //
-  // [rad] 25 degrees: tilt above which the body may be rolling; same as kMaxTilt of ArmingChecks.
+  // [rad] 25 degrees: tilt above which the body may be rolling; same as kMaxTilt in
+  // arming_checks.cpp.
   static constexpr double kRollTilt = 0.44;
   // [rad] 7 degrees: the body rolls if its tilt has grown by more than this.
   static constexpr double kMinTiltIncrease = 0.12;
   // [s] Duration of a release. After this time the body lies again.
   static constexpr double kReleaseTime = 1.0;
   // [rad] 42 degrees: tilt above which the body has rolled over, if it has rolled before. Larger
-  // than 0.7, from which healthy robots fall back after a release.
+  // than 0.7 rad, the largest tilt from which healthy robots fell back during a release.
   static constexpr double kRolledOverTilt = 0.74;
   // [rad] 39.5 degrees: roll angle above which the body has rolled over after two releases. Healthy
-  // robots do not roll that far again. They may pitch that far on a front leg that is caught below
-  // the body, and come down when the leg comes free.
+  // robots do not roll that far again. Pitch is not limited here: a healthy robot may pitch that
+  // far while a front leg is caught below its body, and comes down when this leg comes free.
   static constexpr double kRepeatedRoll = 0.69;
   static constexpr int kMaxRolls = 2;  // largest number of releases
 
