@@ -2,20 +2,24 @@
 #include "common/text.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <charconv>
+#include <iterator>
 #include <numeric>
 
 namespace surefoot {
 
 std::string to_text(double value) {
   char buffer[40];
-  // Use the smallest number of digits that reads back as the same number.
+  char* end = buffer;
+  // Use the smallest number of digits that reads back as the same number. to_chars and from_chars
+  // ignore the locale, which could have a decimal comma.
   for (int digits = 6; digits <= 17; ++digits) {
-    std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
-    if (std::strtod(buffer, nullptr) == value) break;
+    end = std::to_chars(buffer, std::end(buffer), value, std::chars_format::general, digits).ptr;
+    double read = 0.0;
+    std::from_chars(buffer, end, read);
+    if (read == value) break;
   }
-  return buffer;
+  return {buffer, end};
 }
 
 std::string join(const std::vector<std::string>& words, const char* separator) {
