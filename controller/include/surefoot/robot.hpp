@@ -5,6 +5,7 @@
 #include <pinocchio/multibody/fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "surefoot/robot_config.hpp"
 
@@ -21,7 +22,8 @@ class Robot {
  public:
   /// Build from a Pinocchio model with a free-flyer root. RobotConfig::armature replaces the
   /// armature of the model. Throws surefoot::Error if the configuration is invalid or does not fit
-  /// the model.
+  /// the model, or if the model is not a quadruped that can stand: a moving body without inertia, a
+  /// turned joint axis, a foot in the wrong quadrant, or a torque limit below the weight.
   Robot(const pinocchio::Model& model, const RobotConfig& config);
 
   /// Build from text that pinocchio::Model::saveToString() of the same Pinocchio version wrote.
@@ -42,6 +44,9 @@ class Robot {
   int nq() const noexcept;       ///< size of q; 19 with twelve joints
   int nv() const noexcept;       ///< size of v; 18 with twelve joints
   double mass() const noexcept;  ///< [kg] total mass
+
+  /// Values of model and configuration that are possible but unusual, one sentence each.
+  const std::vector<std::string>& doubts() const noexcept;
 
   /// Index in v of each SDK motor.
   const std::array<int, kMotors>& motor_to_v() const noexcept;
