@@ -178,6 +178,9 @@ void bind_robot(nb::module_& m) {
       .def_prop_ro("nq", &Robot::nq, "Size of q; 19 for a robot with twelve joints.")
       .def_prop_ro("nv", &Robot::nv, "Size of v; 18 for a robot with twelve joints.")
       .def_prop_ro("mass", &Robot::mass, "Total mass [kg].")
+      .def_prop_ro("doubts", &Robot::doubts,
+                   "Values of model and configuration that are possible but unusual, a list of\n"
+                   "sentences.")
       .def_prop_ro("motor_to_v", &Robot::motor_to_v, "Index in v of each SDK motor, 12 integers.")
       .def_prop_ro("motor_to_q", &Robot::motor_to_q, "Index in q of each SDK motor, 12 integers.")
       .def_prop_ro("foot_frame_ids", &Robot::foot_frame_ids,

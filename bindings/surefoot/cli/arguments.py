@@ -16,11 +16,12 @@ from surefoot.cli.export import export
 from surefoot.cli.faults import add_faults_options, faults
 from surefoot.cli.replay import add_replay_options, replay
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
+from surefoot.cli.robots_check import add_robots_options, robots
 from surefoot.cli.run import run
 from surefoot.cli.run_options import add_run_options
 from surefoot.cli.stand import stand
 from surefoot.cli.stand_options import add_stand_options
-from surefoot.cli.tables import list_gains, list_robots
+from surefoot.cli.tables import list_gains
 from surefoot.cli.tune import add_tune_options
 from surefoot.cli.virtual_robot import robot
 from surefoot.cli.virtual_robot_options import add_virtual_robot_options
@@ -100,7 +101,8 @@ def build_parser() -> argparse.ArgumentParser:
         "tune", help="find gains", description="Find gains.", allow_abbrev=False
     )
     add_tune_options(tune)
-    add("robots", list_robots, "list the robots known by name")
+    text = "list the robots known by name, or check a robot of your own"
+    add_robots_options(add("robots", robots, text))
     gains = add("gains", list_gains, "list all gains: value, unit, range, meaning")
     add_robot_options(gains, "the library's default values")
     return parser

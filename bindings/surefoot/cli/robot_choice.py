@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from surefoot._core import Error
-from surefoot.robot.description import RobotDescription, describe_robot
+from surefoot.robot.description import RobotDescription, describe_robot, robots_without_urdf
 
 
 def add_robot_options(parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str) -> None:
@@ -39,6 +39,8 @@ def chosen_robot(
     """
     files = {"--urdf": arguments.urdf, "--config": arguments.config}
     given = [name for name, value in files.items() if value is not None]
+    if arguments.robot in robots_without_urdf():
+        return describe_robot(arguments.robot, urdf=arguments.urdf, config=arguments.config)
     if arguments.robot is not None and given:
         raise Error(
             f"got {option} '{arguments.robot}' and {' and '.join(given)}, expected {option} for a "

@@ -9,7 +9,12 @@ import numpy as np
 
 from surefoot._core import Gains, gain_table, get_gain
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.robot.loading import available_robots, build_robot, describe_robot
+from surefoot.robot.loading import (
+    available_robots,
+    build_robot,
+    describe_robot,
+    robots_without_urdf,
+)
 
 
 def list_robots(arguments: argparse.Namespace) -> None:
@@ -30,6 +35,8 @@ def list_robots(arguments: argparse.Namespace) -> None:
         )
     print_table(("name", "mass [kg]", "torque [N.m]", "speed [rad/s]", "source"), rows)
     print("\nTorque and speed limits: hip, thigh, calf. Sources: example-robot-data.")
+    names = ", ".join(robots_without_urdf())
+    print(f"With Unitree's URDF (--robot NAME --urdf FILE): {names}.")
 
 
 def list_gains(arguments: argparse.Namespace) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,9 +31,19 @@ class RobotDescription:
     table: dict[str, Any]
 
 
+# Robots of which the package has the TOML only, because example-robot-data has no URDF of them.
+_WITHOUT_URDF = ("aliengo", "b2")
+
+
 def available_robots() -> list[str]:
     """Return the names of the robots that load_robot() can load by name."""
-    return sorted(path.stem for path in _models_folder().glob("*.toml"))
+    names = {path.stem for path in _models_folder().glob("*.toml")}
+    return sorted(names - set(_WITHOUT_URDF))
+
+
+def robots_without_urdf() -> list[str]:
+    """Return the names of the robots that load_robot() loads by name and urdf=."""
+    return list(_WITHOUT_URDF)
 
 
 def describe_robot(
@@ -40,10 +51,11 @@ def describe_robot(
 ) -> RobotDescription:
     """Find a robot's files and check its TOML, without building the model.
 
-    The robot is given either by `name`, or by `urdf` and `config`.
+    The robot is given either by `name`, or by `urdf` and `config`, or by `name` and `urdf` if the
+    name is one of robots_without_urdf().
 
     Args:
-        name: One of available_robots().
+        name: One of available_robots() or of robots_without_urdf().
         urdf: Path of the URDF.
         config: Path of the robot's TOML.
 
@@ -51,20 +63,46 @@ def describe_robot(
         Error: Neither a name nor both files are given, or a name and files are given; or a file
             is missing or invalid.
     """
+    if name in _WITHOUT_URDF:
+        return _describe_with_urdf(name, urdf, config)
     if name is not None and (urdf is not None or config is not None):
         raise Error(f"robot: got name '{name}' and files, expected a name, or urdf= and config=")
     if name is not None:
         return _describe_by_name(name)
     if urdf is None or config is None:
         raise Error("robot: got too little, expected a name, or both urdf= and config=")
-    table = read_table(config)
-    path = Path(urdf)
-    if not path.is_file():
+    return _describe_files(read_table(config), Path(urdf))
+
+
+def _describe_files(table: dict[str, Any], path: Path) -> RobotDescription:
+    if not os.path.lexists(path):
         raise Error(f"URDF not found: got '{path}', expected a file")
+    # MuJoCo finds meshes by an absolute path only.
+    path = path.absolute()
     srdf = table["robot"].get("srdf")
     return RobotDescription(
-        table["robot"]["name"], path, path.parent / srdf if srdf else None, path.parent, table
+        table["robot"]["name"], path, _find_srdf(srdf, path) if srdf else None, path.parent, table
     )
+
+
+def _find_srdf(name: str, urdf: Path) -> Path:
+    """Return the SRDF, relative to the folder of the URDF or to a folder above it."""
+    for folder in urdf.parents:
+        if os.path.lexists(folder / name):
+            return folder / name
+    return urdf.parent / name
+
+
+def _describe_with_urdf(
+    name: str, urdf: str | Path | None, config: str | Path | None
+) -> RobotDescription:
+    if urdf is None or config is not None:
+        got = "no URDF" if urdf is None else "config="
+        raise Error(
+            f"robot '{name}': got {got}, expected the name and urdf= (--urdf), because "
+            f"example-robot-data has no URDF of it; take Unitree's {name}_description"
+        )
+    return _describe_files(read_table(_models_folder() / f"{name}.toml"), Path(urdf))
 
 
 def _describe_by_name(name: str) -> RobotDescription:

@@ -11,8 +11,15 @@ from typing import Any
 
 from surefoot._core import Error, Robot
 from surefoot.robot.build_config import build_config, per_motor
-from surefoot.robot.description import RobotDescription, available_robots, describe_robot
+from surefoot.robot.description import (
+    RobotDescription,
+    available_robots,
+    describe_robot,
+    robots_without_urdf,
+)
 from surefoot.robot.robot_toml import read_table
+from surefoot.robot.srdf import read_disabled_collisions
+from surefoot.robot.urdf import Urdf, read_urdf
 
 __all__ = [
     "RobotDescription",
@@ -24,6 +31,7 @@ __all__ = [
     "package_digest",
     "per_motor",
     "robot_identity",
+    "robots_without_urdf",
 ]
 
 
@@ -36,7 +44,8 @@ def load_robot(
 ) -> Robot:
     """Load a robot by its name, or from a URDF or a Pinocchio model.
 
-    Exactly one of `name`, `urdf` and `model` is given. `urdf` and `model` also need `config`.
+    Exactly one of `name`, `urdf` and `model` is given. `urdf` and `model` also need `config`. The
+    robots of robots_without_urdf() are loaded by `name` and `urdf`.
 
     Args:
         name: One of available_robots(); needs the example-robot-data package (extra ``sim``).
@@ -52,6 +61,8 @@ def load_robot(
             unknown key.
     """
     sources = {"a name": name, "urdf=": urdf, "model=": model}
+    if name in robots_without_urdf() and model is None and config is None:
+        return build_robot(describe_robot(name, urdf=urdf))
     given = [source for source, value in sources.items() if value is not None]
     if len(given) != 1 or (name is None) == (config is None):
         got = " and ".join(given + ["config="] * (config is not None)) or "nothing"
@@ -73,23 +84,20 @@ def load_pinocchio_model(description: RobotDescription) -> Any:
     Raises:
         Error: The URDF is missing or invalid.
     """
-    import pinocchio
-
-    if not description.urdf.is_file():
-        raise Error(f"URDF not found: got '{description.urdf}', expected a file")
-    try:
-        return pinocchio.buildModelFromUrdf(str(description.urdf), pinocchio.JointModelFreeFlyer())
-    except ValueError as problem:
-        raise Error(f"'{description.urdf}' is not a URDF: {problem}") from None
+    return _build_model(description, read_urdf(description.urdf, description.table))
 
 
 def build_robot(description: RobotDescription) -> Robot:
     """Build the Robot of a description.
 
     Raises:
-        Error: The URDF is missing or invalid, or does not match the TOML.
+        Error: The URDF or the SRDF is missing or invalid, or does not match the TOML; or the robot
+            cannot stand, see surefoot.Robot.
     """
-    return _robot_from_model(load_pinocchio_model(description), description.table)
+    urdf = read_urdf(description.urdf, description.table)
+    if description.srdf is not None:
+        read_disabled_collisions(description.srdf, urdf.links)
+    return _robot_from_model(_build_model(description, urdf), description.table)
 
 
 def robot_identity(description: RobotDescription, robot: Robot) -> dict[str, str]:
@@ -112,6 +120,15 @@ def package_digest() -> str:
     for path in files:
         digest.update(str(path.relative_to(folder)).encode() + path.read_bytes())
     return digest.hexdigest()[:16]
+
+
+def _build_model(description: RobotDescription, urdf: Urdf) -> Any:
+    import pinocchio
+
+    try:
+        return pinocchio.buildModelFromXML(urdf.text, pinocchio.JointModelFreeFlyer())
+    except (ValueError, RuntimeError) as problem:
+        raise Error(f"URDF '{description.urdf}': Pinocchio rejects it: {problem}") from None
 
 
 def _robot_from_model(model: Any, table: dict[str, Any]) -> Robot:

@@ -9,12 +9,18 @@ from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
+from surefoot.files.input_file import read_input_file
+
+# Chosen: a hundred times a robot's TOML. If larger: a wrong path takes seconds to be refused.
+_MAX_BYTES = 1 << 20
 
 _Check = Callable[[Any], bool]
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    # A TOML integer can have thousands of digits and then has no float.
+    too_long = isinstance(value, int) and abs(value) > 10**300
+    return isinstance(value, int | float) and not isinstance(value, bool) and not too_long
 
 
 def _is_number_list(*sizes: int) -> _Check:
@@ -36,6 +42,12 @@ def _is_string_list(size: int) -> _Check:
 
 _LIMIT_PAIR = (_is_number_list(2), "[lower, upper] in rad")
 _PER_MOTOR = (_is_number_list(3, 12), "3 numbers (hip, thigh, calf) or 12")
+# Chosen: a thousand times the friction of a b1. If larger: MuJoCo's numbers overflow.
+_MAX_FRICTION = 1e3
+_FRICTION = (
+    lambda value: _PER_MOTOR[0](value) and all(0.0 <= number <= _MAX_FRICTION for number in value),
+    f"3 numbers (hip, thigh, calf) or 12, each 0 .. {_MAX_FRICTION:g}",
+)
 # Sections and keys of the TOML, each key with its check and the expected value in words. The keys
 # of [gains] are checked by the C++ core.
 _SCHEMA: dict[str, dict[str, tuple[_Check, str]]] = {
@@ -64,8 +76,8 @@ _SCHEMA: dict[str, dict[str, tuple[_Check, str]]] = {
     },
     "motors": {"armature": _PER_MOTOR, "corner_fraction": (_is_number, "a number")},
     "simulation": {
-        "joint_friction": _PER_MOTOR,
-        "joint_damping": _PER_MOTOR,
+        "joint_friction": _FRICTION,
+        "joint_damping": _FRICTION,
         "foot_force_est": (lambda value: isinstance(value, bool), "true or false"),
     },
     "gains": {},
@@ -83,12 +95,12 @@ def read_toml(path: Path) -> dict[str, Any]:
     Raises:
         Error: The file cannot be read, or is not valid TOML.
     """
+    data = read_input_file(path, "TOML", _MAX_BYTES)
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as problem:
-        raise Error(f"cannot read '{path}': {problem.strerror}") from None
+        # utf-8-sig: some editors begin a file with a byte order mark.
+        return tomllib.loads(data.decode("utf-8-sig"))
     # ValueError covers invalid TOML, invalid UTF-8 and integers too long for Python.
-    except ValueError as problem:
+    except (ValueError, RecursionError) as problem:
         raise Error(f"'{path}' is not valid TOML: {problem}") from None
 
 

@@ -5,6 +5,7 @@
 #include <pinocchio/multibody/fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "surefoot/robot_config.hpp"
 
@@ -21,7 +22,8 @@ class Robot {
  public:
   /// Build from a Pinocchio model with a free-flyer root. RobotConfig::armature replaces the
   /// armature of the model. Throws surefoot::Error if the configuration is invalid or does not fit
-  /// the model.
+  /// the model, or if the model is not a quadruped that can stand: a moving body without inertia, a
+  /// turned joint axis, a foot in the wrong quadrant, or a torque limit below the weight.
   Robot(const pinocchio::Model& model, const RobotConfig& config);
 
   /// Build from the text that pinocchio::Model::saveToString() of the same Pinocchio version wrote.
@@ -44,6 +46,9 @@ class Robot {
   int nq() const noexcept;       ///< size of q; 19 with twelve joints
   int nv() const noexcept;       ///< size of v; 18 with twelve joints
   double mass() const noexcept;  ///< [kg] total mass
+
+  /// Return what is possible but unusual in model and configuration, one sentence each.
+  const std::vector<std::string>& doubts() const noexcept;
 
   /// Return the index in v of each SDK motor. Real-time: yes.
   const std::array<int, kMotors>& motor_to_v() const noexcept;

@@ -13,6 +13,7 @@ double nanoseconds() noexcept { return 1e9 * monotonic_time(); }
 
 }  // namespace
 
+// The name of kQpAssembly is "program", for the QP as a quadratic program.
 const char* to_string(Stage stage) noexcept {
   constexpr const char* kNames[kStages] = {"estimate", "dynamics", "reference", "tasks", "condense",
                                            "program",  "solve",    "check",     "safety"};
@@ -32,6 +33,8 @@ void StageClock::start() noexcept {
   stage_start_ = nanoseconds();
 }
 
+// A change of stage adds the time of the present stage. kSafety also counts all work outside the
+// other stages.
 void StageClock::stop() noexcept { enter(Stage::kSafety); }
 
 Stage StageClock::enter(Stage stage) noexcept {

@@ -2,20 +2,27 @@
 #include "common/text.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <iomanip>
+#include <locale>
 #include <numeric>
+#include <sstream>
 
 namespace surefoot {
 
 std::string to_text(double value) {
-  char buffer[40];
+  std::string text;
   // Use the smallest number of digits that converts back to the same number.
   for (int digits = 6; digits <= 17; ++digits) {
-    std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
-    if (std::strtod(buffer, nullptr) == value) break;
+    std::ostringstream out;
+    out.imbue(std::locale::classic());  // a global locale may have a decimal comma
+    out << std::setprecision(digits) << value;
+    text = out.str();
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    double read = 0.0;
+    if (in >> read && read == value) break;
   }
-  return buffer;
+  return text;
 }
 
 std::string join(const std::vector<std::string>& words, const char* separator) {

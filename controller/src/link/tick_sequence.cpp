@@ -6,16 +6,16 @@
 namespace surefoot {
 
 namespace {
-// Number of consecutive old samples that show a restart. Chosen: fewer could be reordered samples;
-// more would leave the robot without control for longer than 10 ms at 500 Hz. Test:
-// test_tick_sequence.cpp.
+// Number of consecutive old samples that show a restart. Chosen: a smaller number could come from
+// reordered samples; with a larger number the robot would be without control for longer than 10 ms
+// at 500 Hz. Test: test_tick_sequence.cpp.
 constexpr int kRestartSamples = 5;
-// [s] Smallest mean time between the arrivals of these samples, per millisecond of LowState::tick.
-// Derived: half of 1 ms, the time at the pace of the robot's clock. Late samples in a burst arrive
-// faster.
+// [s/ms] Time from the first to the last arrival of these samples, divided by the difference of
+// their ticks; at least this shows a restart. Derived: half of 1e-3, the value of samples that
+// arrive as the robot sends them. Late samples in a burst arrive faster.
 constexpr double kMinArrivalSpacing = 0.5e-3;
-// Number of consecutive equal steps that set a new period. Chosen: fewer could come from single
-// lost samples; with more, lost samples would be miscounted for longer. Test:
+// Number of consecutive equal steps that set a new period. Chosen: a smaller number could come from
+// single lost samples; with a larger number, lost samples would be miscounted for longer. Test:
 // test_tick_sequence.cpp.
 constexpr int kStepsToShortenPeriod = 2, kStepsToLengthenPeriod = 8;
 }  // namespace
@@ -73,8 +73,8 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
   return Arrival::kReordered;
 }
 
-// Learn the period. A step longer than the period may come from lost samples, a shorter step
-// cannot. So a shorter step needs fewer repetitions to become the new period.
+// Learn the period. A step longer than the present period may come from lost samples, but a shorter
+// step cannot. So a shorter step needs fewer repetitions to become the new period.
 void TickSequence::update_period(std::uint32_t step) noexcept {
   step_repeats_ = step == step_ ? step_repeats_ + 1 : 1;
   step_ = step;

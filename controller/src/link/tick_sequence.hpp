@@ -8,14 +8,16 @@ namespace surefoot {
 
 /// Classifies samples by LowState::tick, and counts lost samples. Real-time: yes.
 ///
-/// LowState::tick counts milliseconds of the robot's clock. The period of the samples is learnt: it
-/// is the difference between successive ticks, once the same difference has occurred several times
-/// in a row. The robot has restarted if five consecutive samples have increasing ticks that are all
-/// older than the newest tick. But ticks that are less than about 1 s older can also come from late
-/// samples, which the network delivers in a burst. So such samples count as a restart only if they
-/// also arrive at the pace of the robot's clock.
+/// LowState::tick counts milliseconds of the robot's clock. The class learns the period of the
+/// samples: the difference between successive ticks, once the same difference has occurred several
+/// times in a row. The robot has restarted if five consecutive samples have increasing ticks that
+/// are all older than the newest tick. But ticks that are less than about 1 s older can also come
+/// from late samples, which the network delivers in a burst. So such samples count as a restart
+/// only if they also arrive at about the rate at which the robot sends.
 class TickSequence {
  public:
+  /// kNewer: the newest sample so far, or the first. kDuplicate: its tick has arrived before.
+  /// kReordered: a late sample. kRestarted: the first sample of a restarted robot that is used.
   enum class Arrival { kNewer, kDuplicate, kReordered, kRestarted };
 
   /// Classify a valid sample by its tick.

@@ -15,8 +15,8 @@ namespace surefoot {
 
 namespace {
 
-// [N.m.s/rad] Range of UdpLinkOptions::damping_kd, the same as that of Gains::damping_kd. Derived:
-// the minimum is the smallest Kd that a frame can encode, 1/16 (kDampingUnit).
+// [N.m.s/rad] Range of UdpLinkOptions::damping_kd, equal to the range of Gains::damping_kd.
+// Derived: the minimum is the smallest Kd that a frame can encode, 1/16 (kDampingUnit).
 constexpr double kMinKd = 0.0625, kMaxKd = 50.0;
 
 LowCmd checked_damping(double kd) {

@@ -20,8 +20,8 @@ namespace surefoot {
 namespace {
 
 // [bytes] Size of the receive buffer. Chosen: room for about 100 frames. When the buffer is full,
-// the system drops new datagrams and keeps old ones. So after a stall the process reads old samples
-// first; their arrival times show how old they are.
+// the system drops new datagrams and keeps the old datagrams. So after a stall the process reads
+// old samples first; stamped_age() gives their age.
 constexpr int kReceiveBuffer = 128 * 1024;
 
 // Return the age [s] of a datagram: the time on the wall clock since the system stamped its

@@ -7,8 +7,7 @@
 
 namespace surefoot {
 
-/// Return the arrival time [s] of a datagram, on monotonic_time(). It is computed from the
-/// datagram's age:
+/// Return the arrival time [s] of a datagram, on monotonic_time(), computed from its age:
 ///   clamp(now - age, last_empty, now)
 /// The bounds are needed because the age is measured on the wall clock, which may jump. Real-time:
 /// yes.
@@ -28,6 +27,7 @@ class UdpSocket {
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;
 
+  /// kNothing: no datagram was waiting. kPeer, kOtherSender: the sender of the datagram.
   enum class ReadResult { kNothing, kPeer, kOtherSender };
   /// Read one datagram. Never blocks.
   /// @param size in: size of the buffer; out: length of the datagram, which may exceed the buffer

@@ -2,11 +2,14 @@
 #include "surefoot/robot.hpp"
 
 #include <algorithm>
+#include <locale>
 #include <pinocchio/algorithm/joint-configuration.hpp>
 #include <pinocchio/multibody.hpp>
 #include <pinocchio/serialization.hpp>
+#include <sstream>
 
 #include "common/text.hpp"
+#include "robot/robot_checks.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -19,6 +22,7 @@ struct Robot::Data {
   std::array<int, kMotors> motor_to_q;
   std::array<int, kLegs> foot_frame_ids;
   double mass;
+  std::vector<std::string> doubts;
 };
 
 namespace {
@@ -32,6 +36,12 @@ void check_base(const pinocchio::Model& model, const RobotConfig& config) {
                      ? "'" + model.names[1] + "' (" + model.joints[1].shortname() + ")"
                      : std::string("missing")) +
                 ", expected a free-flyer; build the model with a JointModelFreeFlyer root");
+  }
+  for (int joint = 2; joint < model.njoints; ++joint) {
+    if (model.joints[joint].nv() != 1) {
+      fail_check(config, "joint '" + model.names[joint] + "'", model.joints[joint].shortname(),
+                 "one free-flyer at the root, and joints of one axis below it");
+    }
   }
 }
 
@@ -98,23 +108,27 @@ void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot:
 Robot::Robot(const pinocchio::Model& model, const RobotConfig& config) {
   config.validate();
   check_base(model, config);
-  auto data = std::make_shared<Data>(Data{model, config, {}, {}, {}, 0.0});
+  auto data = std::make_shared<Data>(Data{model, config, {}, {}, {}, 0.0, {}});
   match_joints(model, config, *data);
   check_chains(model, config);
   match_feet(model, config, *data);
   for (int i = 0; i < kMotors; ++i) data->model.armature[data->motor_to_v[i]] = config.armature[i];
   for (const auto& inertia : data->model.inertias) data->mass += inertia.mass();
-  if (!(data->mass > 0.0)) {
-    throw Error("robot '" + config.name + "': total mass: got " + to_text(data->mass) +
-                " kg, expected > 0");
-  }
+  const RobotParts parts{data->model, data->config, data->motor_to_q, data->motor_to_v,
+                         data->foot_frame_ids};
+  check_bodies(parts, data->doubts);
+  const auto legs = measure_legs(parts);
+  check_legs(data->config, legs, data->doubts);
+  check_torque_limits(parts, legs, data->doubts);
   data_ = std::move(data);
 }
 
 Robot Robot::from_serialized_model(const std::string& text, const RobotConfig& config) {
   pinocchio::Model model;
   try {
-    model.loadFromString(text);
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    model.loadFromStringStream(in);
   } catch (const std::exception& problem) {
     throw Error("robot '" + config.name + "': the serialised model cannot be read (" +
                 problem.what() + "); it must come from the same Pinocchio version");
@@ -124,10 +138,18 @@ Robot Robot::from_serialized_model(const std::string& text, const RobotConfig& c
 
 const pinocchio::Model& Robot::model() const noexcept { return data_->model; }
 const RobotConfig& Robot::config() const noexcept { return data_->config; }
-std::string Robot::serialized_model() const { return data_->model.saveToString(); }
+
+std::string Robot::serialized_model() const {
+  std::stringstream out;
+  out.imbue(std::locale::classic());
+  data_->model.saveToStringStream(out);
+  return out.str();
+}
+
 int Robot::nq() const noexcept { return data_->model.nq; }
 int Robot::nv() const noexcept { return data_->model.nv; }
 double Robot::mass() const noexcept { return data_->mass; }
+const std::vector<std::string>& Robot::doubts() const noexcept { return data_->doubts; }
 const std::array<int, kMotors>& Robot::motor_to_v() const noexcept { return data_->motor_to_v; }
 const std::array<int, kMotors>& Robot::motor_to_q() const noexcept { return data_->motor_to_q; }
 const std::array<int, kLegs>& Robot::foot_frame_ids() const noexcept {

@@ -11,6 +11,14 @@ namespace surefoot {
 
 namespace {
 
+constexpr double kMaxAngle = 6.2832;  // [rad] one turn; leg joints move less
+constexpr double kRadPerDegree = 0.017453292519943295;
+// [rad/s] Greatest speed of a joint. Chosen: Unitree's robots have 14 .. 52; a larger value stands
+// for "no limit".
+constexpr double kMaxSpeed = 200.0;
+// [kg.m^2] Greatest armature. Chosen: b1 has 0.13.
+constexpr double kMaxArmature = 10.0;
+
 [[noreturn]] void fail(const RobotConfig& config, const std::string& field, const std::string& got,
                        const std::string& expected) {
   throw Error("robot '" + config.name + "', " + field + ": got " + got + ", expected " + expected);
@@ -28,37 +36,58 @@ void check_positive(const RobotConfig& config, const char* field, const Vector12
   }
 }
 
+// A .robot file has one line for each field, so a name must not contain control characters.
+void check_name(const RobotConfig& config, const std::string& field, const std::string& name) {
+  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+    return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+  });
+  if (name.empty() || !printable) {
+    fail(config, field, "'" + name + "'", "a name on one line; correct it in URDF and TOML");
+  }
+}
+
 void check_names(const RobotConfig& config) {
-  if (config.name.empty() || config.name.find_first_of(" \n\t") != std::string::npos) {
+  if (config.name.empty() || config.name.find_first_of(" \n\t\r\v\f") != std::string::npos) {
     fail(config, "name", "'" + config.name + "'", "a word without spaces");
   }
+  check_name(config, "name", config.name);
   for (int i = 0; i < kMotors; ++i) {
-    if (config.joint_names[i].find_first_of(" \n\t") != std::string::npos) {
-      fail(config, "joint name", "'" + config.joint_names[i] + "'", "a name without spaces");
-    }
-    if (config.joint_names[i].empty())
-      fail(config, "joint name " + std::to_string(i), "''", "a name");
+    check_name(config, "joint name " + std::to_string(i), config.joint_names[i]);
     for (int j = 0; j < i; ++j) {
       if (config.joint_names[i] == config.joint_names[j]) {
         fail(config, "joint names", "'" + config.joint_names[i] + "' twice", "12 different names");
       }
     }
   }
-  for (const std::string& foot : config.foot_frames) {
-    if (foot.empty()) fail(config, "foot frame", "''", "a frame name");
+  for (int leg = 0; leg < kLegs; ++leg) {
+    check_name(config, "foot frame " + std::to_string(leg), config.foot_frames[leg]);
+    for (int other = 0; other < leg; ++other) {
+      if (config.foot_frames[leg] == config.foot_frames[other]) {
+        fail(config, "foot frames", "'" + config.foot_frames[leg] + "' twice", "4 different names");
+      }
+    }
   }
 }
 
 void check_positions(const RobotConfig& config) {
   for (int i = 0; i < kMotors; ++i) {
     const double lower = config.q_lower[i], upper = config.q_upper[i], q = config.q_standing[i];
-    if (!(std::isfinite(lower) && std::isfinite(upper) && lower < upper)) {
+    if (!(lower < upper && lower >= -kMaxAngle && upper <= kMaxAngle)) {
       fail(config, "position limits of " + config.joint_names[i],
-           to_text(lower) + " .. " + to_text(upper), "lower < upper, finite");
+           to_text(lower) + " .. " + to_text(upper) + " rad",
+           "lower < upper, within one turn (6.28 rad); correct URDF or [limits]");
     }
     if (!(q >= lower && q <= upper)) {
+      const double in_rad = q * kRadPerDegree;
+      const bool degrees = std::abs(q) > kMaxAngle && in_rad >= lower && in_rad <= upper;
       fail(config, "standing pose of " + config.joint_names[i], to_text(q),
-           "a value inside " + to_text(lower) + " .. " + to_text(upper));
+           "a value inside " + to_text(lower) + " .. " + to_text(upper) + " rad" +
+               (degrees ? "; this looks like degrees, convert it to radians" : ""));
+    }
+    if (config.dq_max[i] > kMaxSpeed || config.no_load_speed[i] > kMaxSpeed) {
+      fail(config, "velocity limit of " + config.joint_names[i],
+           to_text(std::max(config.dq_max[i], config.no_load_speed[i])) + " rad/s",
+           "at most 200 rad/s; give <limit velocity> the speed of the motor");
     }
     const JointRange range = motion_range(config, i);
     if (!(q >= range.lower && q <= range.upper)) {
@@ -85,9 +114,15 @@ void RobotConfig::validate() const {
   if (!(std::isfinite(hip_inward) && hip_inward > 0.0)) {
     fail(*this, "hip_inward", to_text(hip_inward), "a number > 0, in rad");
   }
+  for (int i = 0; i < kMotors; ++i) {
+    if (armature[i] > kMaxArmature) {
+      fail(*this, "armature of " + joint_names[i], to_text(armature[i]),
+           "at most 10 kg.m^2: rotor inertia times squared gear ratio");
+    }
+  }
   check_positions(*this);
-  if (!(std::isfinite(foot_radius) && foot_radius >= 0.0 && foot_radius < 0.2)) {
-    fail(*this, "foot radius", to_text(foot_radius), "0 .. 0.2 m");
+  if (!(foot_radius > 0.0 && foot_radius < 0.2)) {
+    fail(*this, "foot radius", to_text(foot_radius), "above 0, below 0.2 m");
   }
   if (!(std::isfinite(friction) && friction > 0.0 && friction <= 2.0)) {
     fail(*this, "friction", to_text(friction), "0 < friction <= 2");

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Format of a .robot file: one line with a magic word and the version, the configuration in lines
 // of a key and its values, the serialised Pinocchio model, and a CRC-32 checksum of all that
-// precedes.
+// precedes. Names with spaces are quoted. All streams have the classic locale, because a global
+// locale may have a decimal comma.
 #include <boost/crc.hpp>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iomanip>
+#include <locale>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 #include "common/text.hpp"
@@ -19,6 +25,9 @@ namespace {
 
 constexpr char kMagic[] = "surefoot-robot";
 constexpr int kVersion = 1;
+// Chosen: a thousand times the size of a robot with twelve joints. If larger: a wrong path reads a
+// file that fills the memory.
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{64} << 20;
 
 // A field of the configuration, with the functions that write and read it. Saving and loading use
 // the same table of fields, so both always agree.
@@ -44,14 +53,25 @@ Field vector_field(const std::string& key, Vector& values) {
           }};
 }
 
+void write_name(std::ostream& out, const std::string& name) {
+  if (name.find_first_of(" \"\\") == std::string::npos) {
+    out << name;
+  } else {
+    out << std::quoted(name);
+  }
+}
+
 template <std::size_t N>
 Field names_field(const std::string& key, std::array<std::string, N>& names) {
   return {key,
           [&names](std::ostream& out) {
-            for (std::size_t i = 0; i < N; ++i) out << (i ? " " : "") << names[i];
+            for (std::size_t i = 0; i < N; ++i) {
+              out << (i ? " " : "");
+              write_name(out, names[i]);
+            }
           },
           [&names](std::istream& in) {
-            for (std::string& name : names) in >> name;
+            for (std::string& name : names) in >> std::quoted(name);
           }};
 }
 
@@ -92,9 +112,23 @@ std::uint32_t checksum(const std::string& text) {
 }
 
 std::string read_all(const std::string& path) {
-  if (std::filesystem::is_directory(path)) fail(path, "got a folder, expected a file");
+  std::error_code problem;
+  const auto status = std::filesystem::status(path, problem);
+  if (problem && status.type() != std::filesystem::file_type::not_found) {
+    fail(path, "cannot be opened: " + problem.message());
+  }
+  if (std::filesystem::is_directory(status)) fail(path, "got a folder, expected a file");
+  // Reading a pipe or a device could block or never end.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    fail(path, "got a pipe or a device, expected a file");
+  }
   std::ifstream file(path, std::ios::binary);
-  if (!file) fail(path, "cannot be opened");
+  if (!file) fail(path, std::string("cannot be opened: ") + std::strerror(errno));
+  const auto size = std::filesystem::file_size(path, problem);
+  if (problem || size > kMaxBytes) {
+    fail(path, "got " + std::to_string(size >> 20) + " MB, expected at most " +
+                   std::to_string(kMaxBytes >> 20) + " MB; not a robot file");
+  }
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -115,6 +149,7 @@ void read_config(const std::string& path, std::istream& in, RobotConfig& config)
     std::string line, key;
     std::getline(in, line);
     std::istringstream words(line);
+    words.imbue(std::locale::classic());
     words >> key;
     if (key != field.key) {
       fail(path, "got field '" + key + "', expected '" + field.key +
@@ -141,6 +176,7 @@ void check_integrity(const std::string& path, std::string& content) {
 
 void Robot::save(const std::string& path) const {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   RobotConfig copy = config();
   out << kMagic << " " << kVersion << "\n";
   for (const Field& field : fields_of(copy)) {
@@ -150,7 +186,7 @@ void Robot::save(const std::string& path) const {
   }
   out << serialized_model();
   std::ofstream file(path, std::ios::binary);
-  file << out.str() << "\nchecksum " << checksum(out.str()) << "\n";
+  file << out.str() << "\nchecksum " << std::to_string(checksum(out.str())) << "\n";
   file.close();
   if (!file) fail(path, "cannot be written");
 }
@@ -158,9 +194,11 @@ void Robot::save(const std::string& path) const {
 Robot Robot::load(const std::string& path) {
   std::string content = read_all(path);
   std::istringstream header(content);
+  header.imbue(std::locale::classic());
   read_header(path, header);
   check_integrity(path, content);
   std::istringstream in(content);
+  in.imbue(std::locale::classic());
   read_header(path, in);
   RobotConfig config;
   read_config(path, in, config);

@@ -7,8 +7,8 @@
 namespace surefoot {
 
 namespace {
-// Bins. Chosen: kBins bins cover 22 octaves, from 0.25 us (shorter than any tick) to 1 s, in steps
-// of a factor of 2^(1/16), which is 4 %.
+// Chosen: the kBins bins cover 22 octaves (factors of 2), from 0.25 us (shorter than any tick) to
+// 1 s. From one bin to the next the latency grows by a factor of 2^(1/16), or by 4 %.
 constexpr double kMinLatency = 0.25;  // [us] lower edge of the first bin
 constexpr double kBinsPerOctave = 16.0;
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace surefoot {
 
-/// Histogram of durations in bins of 1/16 octave, from 0.25 us to 1 s. Real-time: yes.
+/// Histogram of durations from 0.25 us to 1 s. The bins have the width of 1/16 octave: a factor of
+/// 2^(1/16). Real-time: yes.
 class LatencyHistogram {
  public:
   void add(double microseconds) noexcept;

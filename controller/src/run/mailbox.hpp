@@ -17,8 +17,8 @@ class Mailbox {
   }
 
   /// Take the message out of the slot. Never waits. Real-time: yes.
-  /// @return false if there is no message, or if another thread is just writing one; the caller
-  ///   then tries again in the next tick
+  /// @return false if there is no message, or if another thread is writing a message now; in the
+  ///   second case the caller gets the message in a later tick
   bool take(T& message) noexcept {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
     if (!lock.owns_lock() || !has_message_) return false;

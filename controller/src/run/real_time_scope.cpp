@@ -17,8 +17,8 @@ namespace surefoot {
 
 namespace {
 
-// SCHED_FIFO priority, 1 .. 99. Chosen lower than the kernel's own threads (99), and higher than
-// the kernel's threaded interrupts (50).
+// SCHED_FIFO priority, 1 .. 99. Chosen lower than 99, which the kernel's own threads use, and
+// higher than 50, which its threaded interrupts use.
 constexpr int kPriority = 80;
 
 timespec to_timespec(double seconds) noexcept {
@@ -40,7 +40,8 @@ RealTimeScope::RealTimeScope() {
                                  std::strerror(error_code) + ")";
   rlimit memory_limit{};
   getrlimit(RLIMIT_MEMLOCK, &memory_limit);
-  // If locked memory is limited, MCL_FUTURE would make later allocations fail.
+  // With MCL_FUTURE, allocations beyond the limit of locked memory would fail. So future memory is
+  // locked only if there is no limit.
   const int lock_flags = MCL_CURRENT | (memory_limit.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
   locked_ = mlockall(lock_flags) == 0;
   const char* locked_text =

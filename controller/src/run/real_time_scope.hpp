@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-/// Scope in which the calling thread has real-time priority and locked memory, as far as the system
-/// permits. The destructor ends both. Real-time: no.
+/// Scope in which the calling thread has real-time priority and the process has locked memory, as
+/// far as the system permits. The destructor ends both. Real-time: no.
 class RealTimeScope {
  public:
   RealTimeScope();
@@ -31,7 +31,9 @@ class PeriodicTimer {
   /// @param period [s]
   explicit PeriodicTimer(double period);
 
-  /// Sleep until the next deadline. @return time from the deadline until waking up [us]
+  /// Sleep until the next deadline. Return at once if the deadline has passed by less than a
+  /// period.
+  /// @return time from the deadline until waking up [us]
   double wait() noexcept;
   long missed() const noexcept { return missed_; }  ///< number of skipped periods
 

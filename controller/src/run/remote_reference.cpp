@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-// Displacements at full deflection of a stick. Chosen large enough for an operator to see;
-// ReachCheck limits them on every robot.
+// Changes of the body pose at full deflection of a stick, or while a button is pressed. Chosen
+// large enough for an operator to see; ReachCheck limits the pose on every robot.
 constexpr double kForward = 0.04, kSideways = 0.03, kHeight = 0.03;  // [m]
 constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad]
 // Dead zone, as a share of full deflection. Chosen larger than the offset of a released stick.

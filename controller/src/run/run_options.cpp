@@ -14,8 +14,9 @@ void RunOptions::validate() const {
     throw Error(std::string("option '") + name + "' out of range: got " + to_text(got) +
                 ", expected " + to_text(lower) + " .. " + to_text(upper) + unit);
   };
-  // Chosen. Rate: the controller integrates at most 10 ms in one step (TickClock, 100 Hz), and
-  // LowState::tick counts milliseconds (1000 Hz). Log: 600 s at 500 Hz keep the memory bounded.
+  // Limits of the rate, derived: the controller integrates at most 10 ms in one step (TickClock),
+  // so at least 100 Hz; LowState::tick counts milliseconds, so at most 1000 Hz. Limit of log_time,
+  // chosen: it bounds the memory of the log.
   check("rate", rate, 100.0, 1000.0, " [Hz]");
   check("power_level", power_level, 0, 10, " (0 switches the protection off)");
   if (start == Start::kLying) {

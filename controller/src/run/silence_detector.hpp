@@ -8,8 +8,8 @@
 
 namespace surefoot {
 
-/// Detects a robot that sends no samples. A stall of this machine does not count as silence.
-/// Real-time: yes.
+/// Detects silence: a robot that sends no samples although this process listens. A stall of this
+/// machine does not count as silence. Real-time: yes.
 class SilenceDetector {
  public:
   /// Record that a sample was used.
@@ -21,10 +21,11 @@ class SilenceDetector {
     last_tick_ = tick;
   }
 
-  /// Return whether the robot is silent. Call it in each tick of the loop that has no sample.
+  /// Return whether the robot is silent. Call this in each tick of the loop that has no sample.
   ///
-  /// A stall of this machine also delays the samples of a robot that is simulated on this machine.
-  /// So silence counts only after this process has listened for kMinListeningTime.
+  /// While this machine stalls, this process does not read samples, and a robot that is simulated
+  /// on this machine does not send any. So silence counts only after this process has listened for
+  /// more than kMinListeningTime. A long tick counts as at most two periods of listening.
   /// @param age age of the newest sample [s]
   /// @param elapsed time since the last tick of the loop [s]
   /// @param period period of the loop [s]
@@ -38,9 +39,9 @@ class SilenceDetector {
     return time - last_sample_time_ < kMaxRecoverableSilence;
   }
 
-  /// Return whether the robot's clock paused during the silence, which means that the robot has not
-  /// moved. The clock of a virtual robot pauses with its process; the clock of a real robot does
-  /// not.
+  /// Return whether the robot's clock paused during the silence. If it did, the robot has not
+  /// moved. The clock of a virtual robot pauses with the process of this robot; the clock of a real
+  /// robot never pauses.
   /// @param time present time of the loop [s]
   /// @param tick LowState::tick of the sample after the silence
   bool robot_clock_paused(double time, std::uint32_t tick) const noexcept {
@@ -48,8 +49,8 @@ class SilenceDetector {
   }
 
  private:
-  // [s] Shortest listening time before silence counts. Chosen: four ticks of the loop at 500 Hz
-  // (git 09dfc10). If shorter: a sample could still wait in the socket. Upper limit:
+  // [s] Listening time above which silence counts. Chosen: it is exceeded after four ticks of the
+  // loop at 500 Hz. If shorter: a sample could still wait in the socket. Upper limit:
   // test_silent_robot_is_stale_within_60_ms_at_every_rate.
   static constexpr double kMinListeningTime = 0.007;
   // [s] Longest silence after which control may resume. Equal to kRobotWatchdogTime.

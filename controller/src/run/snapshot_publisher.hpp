@@ -9,16 +9,18 @@
 
 namespace surefoot {
 
-/// Passes snapshots of the loop to other threads.
+/// Passes snapshots of the loop, and latency histograms, to other threads.
 class SnapshotPublisher {
  public:
-  /// Publish a snapshot from the loop. It is skipped while another thread reads. Real-time: yes.
+  /// Publish a snapshot from the loop. The snapshot is skipped while another thread reads.
+  /// Real-time: yes.
   void publish(const RunSnapshot& snapshot, const LatencyHistogram& tick_latencies,
                const LatencyHistogram& wake_latencies, long missed) noexcept;
   /// Publish the last snapshot, at the end of the loop. This waits for other threads. Real-time:
   /// no.
   void publish_final(const RunSnapshot& snapshot, const LatencyHistogram& tick_latencies,
                      const LatencyHistogram& wake_latencies, long missed);
+  /// Set the text of real_time(): the scheduling and memory locking obtained.
   void set_real_time(const std::string& words);
 
   /// Return the last published snapshot and its latency quantiles. Call it from other threads.

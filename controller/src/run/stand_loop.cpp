@@ -10,8 +10,8 @@ namespace surefoot {
 
 namespace {
 
-// The run ends after this number of datagrams of another generation. Chosen larger than a few stray
-// datagrams; the number is reached within 20 ms at 500 Hz.
+// The run ends after this number of datagrams of another frame generation. Chosen larger than a few
+// stray datagrams; a robot that sends at 500 Hz reaches this number within 20 ms.
 constexpr std::uint64_t kMaxWrongGenerationFrames = 10;
 
 const RunOptions& checked_options(const RunOptions& options, const UdpLinkOptions& link) {
@@ -95,8 +95,8 @@ void StandLoop::send(const LowCmd& command, bool has_new_state) noexcept {
   log(command, has_new_state);
 }
 
-// The supervisor receives only the newest sample of a tick. So it also gets the link's counts of
-// all samples.
+// The supervisor receives only the newest sample of a tick. So the link's counts of all samples are
+// passed to the supervisor too.
 void StandLoop::count_samples() noexcept {
   const LinkCounts& counts = link_.counts();
   supervisor_.count_samples(static_cast<double>(counts.valid - counted_valid_),
@@ -122,8 +122,8 @@ const LowCmd& StandLoop::control(const LowState& state) noexcept {
   return command;
 }
 
-// Return the command for a tick without a new sample: first the last command, later damping, and at
-// last latched damping.
+// Return the command for a tick without a new sample. As the silence grows, this is the last
+// command, then damping, and finally latched damping.
 const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexcept {
   snapshot_.ticks_without_state += snapshot_.phase != RunPhase::kDamping;
   const LowCmd& command = supervisor_.update_without_state(age);
@@ -137,8 +137,8 @@ const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexce
   return command;
 }
 
-// Handle the first sample after a silence. If the robot's clock paused too, resume control;
-// otherwise report the link as lost.
+// Handle the first sample after a silence. If the robot's clock paused during the silence, resume
+// control; otherwise report the link as lost.
 void StandLoop::resume_or_report_lost() noexcept {
   if (supervisor_.armed() &&
       silence_detector_.robot_clock_paused(snapshot_.time, link_.state().tick)) {
@@ -163,7 +163,7 @@ void StandLoop::sit_down_and_end() noexcept {
       (!is_up && !supervisor_.fading())) {
     end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
-    // While torques fade, the request is rejected. So it is repeated in the next tick.
+    // The supervisor may reject this request while torques fade. The next tick repeats the request.
     supervisor_.request(Mode::kSit);
   }
 }

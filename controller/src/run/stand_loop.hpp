@@ -9,8 +9,8 @@
 
 namespace surefoot {
 
-/// Body of a StandRunner's loop. It receives samples, chooses the command to send, and records why
-/// the robot damps or the run ends. It reads no clock, because the caller passes the time.
+/// One tick of a StandRunner's loop: receives samples, chooses the command to send, and records why
+/// the robot damps or the run ends. The class reads no clock, because the caller passes the time.
 ///
 /// The Supervisor decides what the robot does. The loop decides whether the link to the robot
 /// works, and when the run ends.
@@ -84,14 +84,16 @@ class StandLoop {
   RunReason link_loss_reason_ = RunReason::kNone;  // reason that is reported for FaultId::kLink
   RunSnapshot snapshot_;
   RunLog log_;
-  double last_driven_time_ = -1.0;  // [s] time when motors were last driven; negative: never
+  // [s] Time of the last tick in a mode other than passive and damping; negative: none yet.
+  double last_driven_time_ = -1.0;
   // [s] Time when RunOptions::duration began; negative: not yet.
   double duration_start_ = -1.0;
   std::uint64_t counted_restarts_ = 0;  // number of restarts of the robot that have been handled
   // Numbers of samples that have been reported to the supervisor.
   std::uint64_t counted_valid_ = 0, counted_lost_ = 0;
   bool phase_changed_ = false;
-  bool stood_as_requested_ = false;  // true if the robot stands, or has lain down on request
+  // True if the robot stands, or has sat down from there without a fault.
+  bool stood_as_requested_ = false;
   std::atomic<bool> stop_requested_{false}, damp_requested_{false}, finish_requested_{false};
   std::atomic<std::uint64_t> refused_rearms_{0};
 };

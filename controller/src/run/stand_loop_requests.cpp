@@ -38,8 +38,8 @@ void StandLoop::apply_requests() noexcept {
   BodyReference requested_pose;
   if (!reference_mailbox_.take(requested_pose)) return;
   supervisor_.set_body_reference(requested_pose);
-  // The supervisor rejects a pose that is not finite. Keep the last finite pose, to which the
-  // offsets of the sticks are added.
+  // The supervisor rejects a pose that is not finite. requested_pose_ keeps the last finite pose,
+  // because apply_remote_sticks() adds the offsets of the sticks to it.
   if (is_finite(requested_pose)) requested_pose_ = requested_pose;
 }
 

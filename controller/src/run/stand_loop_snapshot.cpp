@@ -7,11 +7,12 @@
 
 namespace surefoot {
 
-// Add the tick to the log, until log_tail [s] after the motors were last driven. A longer log of
-// damping would overwrite the ticks that led to damping.
+// Add the tick to the log, until log_tail [s] after the last tick in a mode other than passive and
+// damping. The log has a fixed size: if damping were logged for longer, it would overwrite the
+// ticks that led to damping. So log_tail is at most half of the log.
 void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   const Mode mode = supervisor_.mode();
-  const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s]
+  const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s] 5 s: chosen
   if (mode != Mode::kPassive && mode != Mode::kDamping) last_driven_time_ = snapshot_.time;
   if (!link_.has_state() ||
       (last_driven_time_ >= 0.0 && snapshot_.time - last_driven_time_ > log_tail))
@@ -40,8 +41,8 @@ void StandLoop::update_phase() noexcept {
   snapshot_.phase = phase;
 }
 
-// Update stood_as_requested_ when the mode changes. Damping while the robot lies (from kPassive)
-// leaves it unchanged.
+// Update stood_as_requested_ when the mode changes. A change from kPassive to kDamping, while the
+// robot lies, leaves stood_as_requested_ unchanged.
 void StandLoop::update_stood_as_requested(Mode previous_mode) noexcept {
   if (snapshot_.mode == previous_mode) return;
   const bool damped_while_driven =

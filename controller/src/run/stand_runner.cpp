@@ -18,7 +18,7 @@ namespace {
 // lose some of them. Derived: twice kRobotWatchdogTime.
 constexpr double kFinalDampingTime = 0.2;
 // [s] Time between published snapshots. Chosen. If shorter: the loop spends more time on copies. If
-// longer: too slow for an operator to watch.
+// longer: an operator who watches the run sees changes too late.
 constexpr double kPublishPeriod = 0.05;
 
 /// Flag that is set while the loop runs. It is also cleared if an exception ends the loop.

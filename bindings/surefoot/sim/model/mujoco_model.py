@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
-
 import mujoco
 import numpy as np
 
 from surefoot._core import Error, Robot
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.loading import RobotDescription, per_motor
+from surefoot.robot.srdf import read_disabled_collisions
+from surefoot.robot.urdf import read_urdf
 from surefoot.sim.model.backlash import add_backlash
 from surefoot.sim.model.moving_ground import BLOCK, PLATFORM, add_block, place_block
 from surefoot.sim.model.scene import (
@@ -22,7 +22,7 @@ from surefoot.sim.model.scene import (
     set_physics,
 )
 from surefoot.sim.model.soft_ground import add_soft_contacts, set_contact_stiffness
-from surefoot.sim.model.urdf import load_urdf, root_body
+from surefoot.sim.model.urdf import load_urdf, one_line, root_body
 from surefoot.sim.settings import PlantSettings
 
 IMU_SITE = "surefoot_imu"
@@ -43,7 +43,8 @@ def build_model(
         visuals: Whether to add the visual meshes for pictures and hide the collision geometry.
 
     Raises:
-        Error: A joint, foot body or mesh is missing, or a joint with backlash has no rotor inertia.
+        Error: A joint, foot body or mesh is missing, MuJoCo rejects the URDF, or a joint with
+            backlash has no rotor inertia.
     """
     spec = load_urdf(description)
     set_physics(spec, settings)
@@ -62,7 +63,10 @@ def build_model(
         from surefoot.sim.model.visuals import add_visuals
 
         add_visuals(spec, description)
-    model = spec.compile()
+    try:
+        model = spec.compile()
+    except ValueError as problem:
+        raise Error(f"URDF '{description.urdf}': MuJoCo rejects it: {one_line(problem)}") from None
     set_contact_stiffness(model, robot, settings)
     place_block(model, robot, settings)
     return model
@@ -118,11 +122,12 @@ def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
 
 def exclude_collision_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     """Exclude the collision pairs that the SRDF disables, because neighbouring links overlap."""
-    if description.srdf is None or not description.srdf.is_file():
+    if description.srdf is None:
         return
+    # A world link above the base is no body.
+    links = read_urdf(description.urdf, description.table).links
     names = {body.name for body in spec.bodies}
-    for entry in ET.parse(description.srdf).getroot().iter("disable_collisions"):
-        first, second = entry.get("link1"), entry.get("link2")
+    for first, second in read_disabled_collisions(description.srdf, links):
         if first in names and second in names and first != second:
             spec.add_exclude(bodyname1=first, bodyname2=second)
 

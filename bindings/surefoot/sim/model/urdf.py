@@ -9,21 +9,35 @@ import numpy as np
 
 from surefoot._core import Error
 from surefoot.robot.loading import RobotDescription
+from surefoot.robot.urdf import read_urdf
+
+MESH_SUFFIXES = (".stl", ".obj", ".msh")  # formats that MuJoCo reads
 
 
 def load_urdf(description: RobotDescription) -> mujoco.MjSpec:
-    """Read the URDF, add a free joint to its base; raise Error if the URDF or a mesh is missing."""
-    if not description.urdf.is_file():
-        raise Error(f"URDF not found: got '{description.urdf}', expected a file")
-    spec = mujoco.MjSpec.from_file(str(description.urdf))
+    """Read the URDF and add a free joint to its base.
+
+    Raises:
+        Error: The URDF or a mesh is missing or invalid.
+    """
+    urdf = read_urdf(description.urdf, description.table)
+    try:
+        spec = mujoco.MjSpec.from_string(urdf.text)
+    except ValueError as problem:
+        raise Error(f"URDF '{description.urdf}': MuJoCo rejects it: {one_line(problem)}") from None
     # Fixed links stay separate bodies, because feet and IMU are fixed links.
     spec.compiler.fusestatic = False
     for mesh in spec.meshes:
-        mesh.file = str(find_mesh(mesh.file, description.mesh_root))
+        _load_mesh(mesh, description)
     for body in spec.bodies:
-        _repair_inertia(body)
+        _set_inertia(body)
     root_body(spec).add_freejoint(name="surefoot_base")
     return spec
+
+
+def one_line(problem: Exception) -> str:
+    """Return the text of MuJoCo's error in one line."""
+    return "; ".join(line.strip() for line in str(problem).splitlines() if line.strip())
 
 
 def root_body(spec: mujoco.MjSpec) -> mujoco.MjsBody:
@@ -44,12 +58,43 @@ def find_mesh(name: str, mesh_root: Path) -> Path:
     raise Error(f"mesh not found: got '{name}', expected a file below '{mesh_root}'")
 
 
-def _repair_inertia(body: mujoco.MjsBody) -> None:
-    # The massless base link of go1 and b1 has all six inertia entries 1e-6. This is not positive
-    # definite: Pinocchio accepts it, MuJoCo rejects it. The diagonal alone is valid.
+def _load_mesh(mesh: mujoco.MjsMesh, description: RobotDescription) -> None:
+    path = find_mesh(mesh.file, description.mesh_root)
+    try:
+        head = path.open("rb").read(512)
+    except OSError as problem:
+        raise Error(f"mesh: cannot read '{path}': {problem.strerror}") from None
+    if head.startswith(b"version https://git-lfs"):
+        raise Error(f"mesh '{path}': got a Git LFS pointer, expected a mesh; run: git lfs pull")
+    if path.suffix.lower() == ".stl" and head.lstrip().startswith(b"solid") and b"facet" in head:
+        raise Error(f"mesh '{path}': got an ASCII STL, expected a binary one; convert it")
+    if path.suffix.lower() not in MESH_SUFFIXES:
+        raise Error(
+            f"mesh '{path}': got format '{path.suffix}' in a <collision>, expected "
+            f"{', '.join(MESH_SUFFIXES)}; convert it, or use a box, cylinder or sphere"
+        )
+    mesh.file = str(path)
+
+
+def _set_inertia(body: mujoco.MjsBody) -> None:
+    """Give a body exactly the mass of its link, as Pinocchio does.
+
+    MuJoCo would guess the mass of a link without <inertial> from its collision geometry, and
+    rejects negligible inertias that are invalid (read_urdf() rejects all others): the base link of
+    go1 and b1 has six entries 1e-6, CAD exports have 1e-27. The diagonal alone is valid.
+    """
+    if not body.explicitinertial:
+        body.explicitinertial, body.mass, body.ipos = True, 0.0, [0.0, 0.0, 0.0]
+        return
     xx, yy, zz, xy, xz, yz = body.fullinertia
     if np.isnan(xx):
         return
-    moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    if moments[0] <= 1e-12:  # [kg.m^2] numerical: far below the moments of any link
+    moments, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    if max(xx, yy, zz) <= 1e-12:  # [kg.m^2] numerical: far below the moments of any link
+        body.fullinertia, body.inertia = [np.nan, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+    elif moments[0] <= 1e-12:
         body.fullinertia = [xx, yy, zz, 0.0, 0.0, 0.0]
+    elif moments[0] + moments[1] < moments[2]:  # by rounding only
+        moments[:2] *= 1.0 + 2.0 * (moments[2] / (moments[0] + moments[1]) - 1.0)
+        m = axes @ np.diag(moments) @ axes.T
+        body.fullinertia = [m[0, 0], m[1, 1], m[2, 2], m[0, 1], m[0, 2], m[1, 2]]

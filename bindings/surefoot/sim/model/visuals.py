@@ -12,6 +12,7 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.geometry.rotations import Array
 from surefoot.robot.loading import RobotDescription
+from surefoot.robot.xml_file import read_xml
 from surefoot.sim.model.collada import Faces, read_collada
 from surefoot.sim.model.urdf import find_mesh
 
@@ -39,7 +40,7 @@ def add_visuals(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     """
     spec.compiler.discardvisual = False
     added = 0
-    for link in ET.parse(description.urdf).getroot().iter("link"):
+    for link in read_xml(description.urdf, "URDF").iter("link"):
         for visual in link.findall("visual"):
             added += _add_visual(spec, link.get("name", ""), visual, description.mesh_root)
     if added:

@@ -7,7 +7,7 @@ namespace {
 
 // [s] Times for which a finding must last before it is a fault. Chosen by hand. Each must be
 // shorter than the detection time of the fault in fault_table(), given in brackets.
-constexpr double kGyroscopeTime = 0.05;  // [1 s] the estimator takes rates from the legs meanwhile
+constexpr double kGyroscopeTime = 0.05;  // [1 s] the estimator uses rates from the legs meanwhile
 constexpr double kSensorTime = 0.02;     // [0.1 s and more] accelerometer, quaternion
 constexpr double kSlipTime = 0.02;       // [0.1 s] longer than single wrong ticks
 constexpr double kLiftedTime = 0.05;     // [0.1 s] longer than impacts that unload all feet
