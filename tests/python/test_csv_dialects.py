@@ -182,7 +182,7 @@ REFUSED = {
         "line 2, column 'time': got 's'",
     ),
     "digits with an underscore": (replaced(2, 1, "1_0"), "line 3, column 'gyroscope_0': got '1_0'"),
-    "other digits": (replaced(2, 1, "١٢"), "line 3, column 'gyroscope_0': got '١٢'"),  # noqa: RUF001
+    "other digits": (replaced(2, 1, "١٢"), "line 3, column 'gyroscope_0': got '١٢'"),
     "a date": (replaced(1, 0, "2026-11-29 06:20"), "line 2, column 'time': got '2026-11-29"),
     "a comment at the end of a row": (replaced(2, 18, "-1.6 # end"), "line 3, column 'q_11'"),
     "decimal commas with commas": (

@@ -28,7 +28,15 @@ _METADATA = "metadata.yaml"
 
 def is_bag(path: Path) -> bool:
     """Return whether a path names a ROS 2 bag: a storage file, or a folder with metadata.yaml."""
-    return path.suffix.lower() in _SUFFIXES or (path.is_dir() and (path / _METADATA).exists())
+    return path.suffix.lower() in _SUFFIXES or _is_folder(path)
+
+
+def _is_folder(path: Path) -> bool:
+    return path.is_dir() and (path / _METADATA).exists()
+
+
+def _is_part(file: Path) -> bool:
+    return file.name == _METADATA or file.suffix.lower() in _SUFFIXES
 
 
 def read_bag(path: Path, column_map: ColumnMap) -> LogTable:
@@ -46,7 +54,9 @@ def read_bag(path: Path, column_map: ColumnMap) -> LogTable:
             f"log: got a map of column names for the bag '{source}', expected one only for CSV and "
             "NPZ logs; leave out --columns"
         )
-    check_log_file(path / _METADATA if path.is_dir() else path)
+    files = [file for file in path.iterdir() if _is_part(file)] if _is_folder(path) else [path]
+    for file in files:
+        check_log_file(file)
     try:
         from rosbags.rosbag2 import Reader
     except ModuleNotFoundError as problem:
