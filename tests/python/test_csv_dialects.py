@@ -50,6 +50,10 @@ UNCHANGED = {
     "a declared separator": lambda ls: "\n".join(["sep=;", *ls]).replace(",", ";"),
     "a commented header": lambda ls: "# " + "\n".join(ls),
     "a comment before": lambda ls: "# recorded on Monday\n" + "\n".join(ls),
+    "quotes and blanks": lambda ls: "\n".join(
+        '"' + line.replace(",", '" , "') + '"' for line in ["#" + ls[0], *ls[1:]]
+    ),
+    "a blank line in quotes": lambda ls: "\n".join([ls[0], '""', *ls[1:]]),
     "quotes": lambda ls: "\n".join('"' + line.replace(",", '","') + '"' for line in ls),
     "a delimiter at the end of rows": lambda ls: "\n".join([ls[0], *(f"{x}," for x in ls[1:])]),
 }
@@ -83,6 +87,10 @@ CONVERTED = {
     "repeated headers": (
         lambda ls: "\n".join([*ls[:3], ls[0], *ls[3:6], ls[0], *ls[6:]]),
         ["line 4: the header is repeated 2 times"],
+    ),
+    "comments between rows": (
+        lambda ls: "\n".join([*ls[:3], "# paused", *ls[3:]]),
+        ["line 4: 1 comment lines are left out"],
     ),
     "a name that is not UTF-8": (
         lambda ls: "\n".join([ls[0] + ",température", *(f"{x},20" for x in ls[1:])]).encode(

@@ -38,17 +38,26 @@ def exchanged(name, order, *columns):
 @pytest.mark.parametrize("name", ROBOTS)
 def test_quiet_log_with_exchanged_sides_is_refused_by_its_hip_torques(name) -> None:
     assert check_log(robot(name), quiet_log(name)) == []
-    words = r"'q' and 'tauEst': got hip torques of the front and rear legs with -\d"
+    words = r"'q' and 'tauEst': got hip torques of FR, FL, RR, RL with -\d"
     with pytest.raises(Error, match=words):
         check_log(robot(name), exchanged(name, LEFT_RIGHT, "q", "dq", "tauEst"))
     with pytest.raises(Error, match=words):
         check_log(robot(name), exchanged(name, LEFT_RIGHT, "tauEst"))
 
 
-@pytest.mark.parametrize(("order", "legs"), [([1, 0, 2, 3], "front"), ([0, 1, 3, 2], "rear")])
-def test_one_exchanged_pair_is_named(order, legs) -> None:
-    with pytest.raises(Error, match=f"hip torques of the {legs} legs"):
+@pytest.mark.parametrize(
+    ("order", "legs"),
+    [([1, 0, 2, 3], "FR, FL"), ([0, 1, 3, 2], "RR, RL"), ([1, 3, 2, 0], "FR, RL")],
+)
+def test_exchanged_legs_are_named(order, legs) -> None:
+    with pytest.raises(Error, match=f"hip torques of {legs} with"):
         check_log(robot("go1"), exchanged("go1", order, "q", "dq", "tauEst"))
+
+
+def test_one_hip_of_the_wrong_sign_is_a_doubt() -> None:
+    torques = quiet_log("go1").columns["tauEst"] * np.where(np.arange(12) == 3, -1.0, 1.0)
+    doubts = check_log(robot("go1"), with_columns(quiet_log("go1"), tauEst=torques))
+    assert doubts == ["tauEst: the hip of FL carries the robot as a leg of the other side would"]
 
 
 def test_hip_torques_of_unloaded_legs_prove_nothing() -> None:

@@ -119,6 +119,15 @@ def test_npz_of_huge_arrays_is_refused_before_they_are_unpacked(tmp_path, monkey
             read(path)
 
 
+@pytest.mark.parametrize("text", ["\n", ",", "0,", "a,b\n", "x"])
+def test_large_text_that_is_no_log_is_refused_in_ten_seconds(text, tmp_path) -> None:
+    (tmp_path / "log.csv").write_text(text * (60_000_000 // len(text)))
+    start = time.process_time()
+    with pytest.raises(Error, match=r"log\.csv: "):
+        read_log(tmp_path / "log.csv")
+    assert time.process_time() - start < SECONDS
+
+
 def test_npy_file_named_npz_is_refused(tmp_path) -> None:
     with (tmp_path / "log.npz").open("wb") as file:
         np.save(file, np.zeros((5, 12)))

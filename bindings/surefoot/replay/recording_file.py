@@ -10,11 +10,10 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Error, LowCmd, LowState
-from surefoot.files.corrupt_npz import CORRUPT_NPZ
 from surefoot.files.tables import write_npz
 from surefoot.replay.recording import Call, Recording
 from surefoot.sensor_log.column_definitions import REPLAY_PREFIX
-from surefoot.sensor_log.file_checks import check_npz_file, printable_path
+from surefoot.sensor_log.file_checks import check_npz_file, printable_path, refusing_corrupt_npz
 
 _LOW_STATES, _COMMANDS, _HEADER = (
     f"{REPLAY_PREFIX}{name}" for name in ("reports", "commands", "head")
@@ -54,22 +53,15 @@ def read_recording(path: str | Path) -> Recording:
     if path.suffix.lower() != ".npz":
         raise Error(f"log: got '{source}', expected a .npz file: a CSV lacks the options and calls")
     check_npz_file(path)
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            missing = [name for name in (_LOW_STATES, _COMMANDS, _HEADER) if name not in file.files]
-            if missing:
-                raise Error(
-                    f"{source}: got no {missing[0]}, expected a log of surefoot stand --log"
-                )
-            samples, commands, header = (
-                file[_LOW_STATES],
-                file[_COMMANDS],
-                json.loads(str(file[_HEADER])),
-            )
-    except OSError as problem:
-        raise Error(f"log: cannot read '{source}': {problem.strerror or problem}") from None
-    except CORRUPT_NPZ as problem:
-        raise Error(f"{source}: got a corrupt file ({problem}), expected an NPZ log") from None
+    with refusing_corrupt_npz(path), np.load(path, allow_pickle=False) as file:
+        missing = [name for name in (_LOW_STATES, _COMMANDS, _HEADER) if name not in file.files]
+        if missing:
+            raise Error(f"{source}: got no {missing[0]}, expected a log of surefoot stand --log")
+        samples, commands, header = (
+            file[_LOW_STATES],
+            file[_COMMANDS],
+            json.loads(str(file[_HEADER])),
+        )
     return _check(source, samples, commands, header)
 
 

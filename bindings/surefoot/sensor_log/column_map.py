@@ -84,8 +84,8 @@ def _column_of_key(source: str, key: str) -> tuple[Column, int | None]:
     found = (COLUMN_BY_NAME[key], None) if key in COLUMN_BY_NAME else find_column(key)
     if found is None:
         raise Error(
-            f"{source}: got the unknown column '{key}'{suggest(key, COLUMN_BY_NAME)}; "
-            f"valid names (and widths): {valid_names()}"
+            f"{source}: got the unknown column '{key}'{suggest(key, COLUMN_BY_NAME)}, expected "
+            f"one of (with width): {valid_names()}"
         )
     return found
 

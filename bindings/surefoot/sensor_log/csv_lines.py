@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import csv
+import re
 from dataclasses import dataclass
 
 from surefoot._core import Error
 
 DELIMITERS = ",;\t"
+# Chosen: a dump of a LowState has 400 columns, 10 kB a line. Longer lines, or more of them, would
+# take much more memory than the file.
+MAX_LINE_LENGTH = 1_000_000
+MAX_LINES = 10_000_000
+_BLANK = ' ,;\t"'  # characters of a line without content
 
 
 @dataclass(frozen=True)
@@ -43,8 +49,8 @@ def read_lines(source: str, text: str) -> CsvLines:
     Raises:
         Error: The file is empty, or its first line has numbers instead of names.
     """
-    lines = text.split("\n")
-    filled = [k for k, line in enumerate(lines) if line.strip(" \t,;")]
+    lines = _split_lines(source, text)
+    filled = [k for k, line in enumerate(lines) if line.strip(_BLANK)]
     place, delimiter = _header_place(lines, filled)
     if place is None:
         raise Error(f"{source}: got an empty file, expected a header of column names and rows")
@@ -52,19 +58,23 @@ def read_lines(source: str, text: str) -> CsvLines:
     if delimiter is None:
         delimiter = max(DELIMITERS, key=header_line.count)
         delimiter = delimiter if delimiter in header_line else None
-    header = split_cells(source, header_line.lstrip("# "), place + 1, delimiter)
-    header = [name.strip() for name in header]
+    cells = split_cells(source, header_line.lstrip("# "), place + 1, delimiter)
+    header = [cell.strip() for cell in cells]
+    header[0] = header[0].lstrip("# ")
     if all(is_number(name) for name in header if name):
         raise Error(f"{source}: line {place + 1}: got numbers, expected a header of column names")
     below = [k for k in filled if k > place]
-    rows = [k for k in below if lines[k].strip() != header_line.strip()]
+    repeated = {k for k in below if lines[k].strip(_BLANK + "#") == header_line.strip(_BLANK + "#")}
+    comments = {k for k in below if lines[k].lstrip(' "').startswith("#")} - repeated
     notes = []
-    if len(rows) < len(below):
-        first = next(k for k in below if lines[k].strip() == header_line.strip())
+    if repeated:
         notes.append(
-            f"line {first + 1}: the header is repeated {len(below) - len(rows)} times; the "
-            "repeated lines are left out"
+            f"line {min(repeated) + 1}: the header is repeated {len(repeated)} times; the repeated "
+            "lines are left out"
         )
+    if comments:
+        notes.append(f"line {min(comments) + 1}: {len(comments)} comment lines are left out")
+    rows = [k for k in below if k not in repeated and k not in comments]
     return CsvLines(
         source,
         header,
@@ -74,6 +84,25 @@ def read_lines(source: str, text: str) -> CsvLines:
         text.endswith("\n"),
         notes,
     )
+
+
+def _split_lines(source: str, text: str) -> list[str]:
+    """Return the lines of a text.
+
+    Raises:
+        Error: The text has too many lines or a line is too long for a log.
+    """
+    count = text.count("\n")
+    if count > MAX_LINES:
+        raise Error(f"{source}: got {count} lines, expected up to {MAX_LINES}; split the log")
+    lines = text.split("\n")
+    longest = max(range(len(lines)), key=lambda k: len(lines[k]))
+    if len(lines[longest]) > MAX_LINE_LENGTH:
+        raise Error(
+            f"{source}: line {longest + 1}: got {len(lines[longest])} characters, expected up to "
+            f"{MAX_LINE_LENGTH}; is it a CSV file?"
+        )
+    return lines
 
 
 def _header_place(lines: list[str], filled: list[int]) -> tuple[int | None, str | None]:
@@ -89,15 +118,15 @@ def _header_place(lines: list[str], filled: list[int]) -> tuple[int | None, str 
             delimiter = line[4]
             continue
         following = lines[filled[k + 1]] if k + 1 < len(filled) else ""
-        if line.startswith("#") and not _starts_with_number(following):
+        if line.lstrip('"').startswith("#") and not _starts_with_number(following):
             continue
         return place, delimiter
     return None, delimiter
 
 
 def _starts_with_number(line: str) -> bool:
-    words = line.replace(";", " ").replace("\t", " ").replace(",", " ").split()
-    return bool(words) and is_number(words[0])
+    words = re.split(r'[;,\s"]+', line.strip(' "'))
+    return is_number(words[0])
 
 
 def split_cells(source: str, line: str, number: int, delimiter: str | None) -> list[str]:
@@ -110,6 +139,7 @@ def split_cells(source: str, line: str, number: int, delimiter: str | None) -> l
         return line.split()
     if '"' not in line:
         return line.split(delimiter)
+    line = re.sub(f" *{delimiter} *", delimiter, line.strip(" "))  # csv wants quotes at the ends
     try:
         return next(csv.reader([line], delimiter=delimiter, strict=True))
     except csv.Error as problem:

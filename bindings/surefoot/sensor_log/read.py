@@ -11,6 +11,7 @@ from surefoot._core import Error
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.clock import read_clock
 from surefoot.sensor_log.column_definitions import (
+    CLOCK_COLUMNS,
     COLUMN_BY_NAME,
     FOOT_COLUMNS,
     REQUIRED_COLUMNS,
@@ -56,7 +57,7 @@ def read_log(path: str | Path, columns: str | Path | None = None) -> SensorLog:
         table = reader(path, column_map)
     except OSError as problem:
         raise Error(f"log: cannot read '{source}': {problem.strerror or problem}") from None
-    values, notes = table.columns, list(table.notes)
+    values, notes = _within_float32(table.columns), list(table.notes)
     warnings = _drop_never_finite(source, values)
     clock, time = read_clock(source, values, table.place, notes)
     notes += _non_finite_notes(values, clock, table.place)
@@ -66,6 +67,17 @@ def read_log(path: str | Path, columns: str | Path | None = None) -> SensorLog:
     return SensorLog(
         source, values, time, clock, tuple(table.ignored), tuple(warnings), tuple(notes)
     )
+
+
+def _within_float32(columns: dict[str, Array]) -> dict[str, Array]:
+    """Return the columns with infinity for values that a LowState, float32, cannot hold."""
+    limit = float(np.finfo(np.float32).max)
+    return {
+        name: values
+        if name in CLOCK_COLUMNS
+        else np.where(np.abs(values) > limit, np.copysign(np.inf, values), values)
+        for name, values in columns.items()
+    }
 
 
 def _drop_never_finite(source: str, columns: dict[str, Array]) -> list[str]:

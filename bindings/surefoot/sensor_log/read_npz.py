@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.files.corrupt_npz import CORRUPT_NPZ
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.column_components import ColumnComponents
 from surefoot.sensor_log.column_definitions import (
@@ -17,7 +16,7 @@ from surefoot.sensor_log.column_definitions import (
     Column,
 )
 from surefoot.sensor_log.column_map import ColumnMap
-from surefoot.sensor_log.file_checks import check_npz_file, printable_path
+from surefoot.sensor_log.file_checks import check_npz_file, printable_path, refusing_corrupt_npz
 from surefoot.sensor_log.foreign_names import find_whole
 from surefoot.sensor_log.log_table import LogTable
 
@@ -30,16 +29,8 @@ def read_npz(path: Path, column_map: ColumnMap) -> LogTable:
             arrays have unequal lengths.
     """
     check_npz_file(path)
-    source = printable_path(path)
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            return _read_arrays(source, file, column_map)
-    except OSError as problem:
-        raise Error(f"log: cannot read '{source}': {problem.strerror or problem}") from None
-    except CORRUPT_NPZ as problem:
-        raise Error(
-            f"{source}: got no valid NPZ file ({problem}), expected arrays of numbers"
-        ) from None
+    with refusing_corrupt_npz(path), np.load(path, allow_pickle=False) as file:
+        return _read_arrays(printable_path(path), file, column_map)
 
 
 def _read_arrays(source: str, file: np.lib.npyio.NpzFile, column_map: ColumnMap) -> LogTable:
