@@ -155,15 +155,25 @@ BAD_CSV = {
     ),
     "eleven joints": ({**without("q"), "q": [[0.1] * 11] * 5}, "'q'", "got 11", "expected 12"),
     "twice the same": ({**small_table(), "acc": [[0.0] * 3] * 5}, "'acc_0'", "expected it once"),
-    "a word": (cell("q", "broken"), "row 4", "'q_0'", "got 'broken'", "expected a number"),
-    "a clock that goes back": (with_time(0.0, 0.002, 0.001), "'time'", "at row 2", "never goes"),
+    "a word": (cell("q", "broken"), "line 4", "'q_0'", "got 'broken'", "expected a number"),
+    "a clock that goes back": (
+        with_time(0.0, 0.002, 0.001),
+        "'time'",
+        "line 4",
+        "got 0.001 after 0.002",
+        "never goes",
+    ),
     "a clock that stands still": (
         with_time(1.0, 1.0, 1.0),
         "'time'",
         "same value 1 in 3 rows",
         "advances",
     ),
-    "milliseconds for seconds": (with_time(0.0, 2.0, 4.0), "'time'", "step of 2 s", "in seconds"),
+    "a clock without a unit": (with_time(0.0, 2e-6, 4e-6), "'time'", "step of 2e-06", "in seconds"),
+    "a clock without digits": (
+        with_time(*[1.0] * 40, 2.0),
+        *("'time'", "the row before in 39 of 41 rows", "digits"),
+    ),
     "seconds for ticks": (
         {**without("time"), "tick": [[0.002 * k] for k in range(5)]},
         "'tick'",
@@ -188,7 +198,7 @@ def test_invalid_csv_error_names_column_got_and_expected(tmp_path, table, words)
 BAD_TEXT = {
     "empty": ("", "empty file"),
     "a header alone": ("tick,q_imu\n", "missing column"),
-    "numbers alone": ("1,2,3\n4,5,6\n", "row 1: got numbers"),
+    "numbers alone": ("1,2,3\n4,5,6\n", "line 1: got numbers"),
 }
 
 
@@ -204,8 +214,8 @@ def test_rows_that_are_missing_or_ragged_are_refused(tmp_path) -> None:
     (tmp_path / "a.csv").write_text(header[0] + "\n")
     with pytest.raises(Error, match="no rows"):
         read_log(tmp_path / "a.csv")
-    (tmp_path / "a.csv").write_text("\n".join([*header[:3], "0.1,0.2"]))
-    with pytest.raises(Error, match=r"row 4: got 2 cells, expected 19"):
+    (tmp_path / "a.csv").write_text("\n".join([*header[:3], "0.1,0.2", *header[3:]]))
+    with pytest.raises(Error, match=r"line 4: got 2 cells, expected 19"):
         read_log(tmp_path / "a.csv")
     one = write_rows(tmp_path / "b.csv", ["time", "gyroscope"], [[0.0, "[0, 0, 0]"]])
     with pytest.raises(Error, match=r"'gyroscope': got 1 number per row, expected 3 columns"):

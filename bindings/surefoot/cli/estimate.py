@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
+from surefoot._core import Error
 from surefoot.cli.output_files import (
     check_json_path,
     check_report_folder,
@@ -16,13 +18,17 @@ from surefoot.cli.stand import read_gains
 from surefoot.estimate import read_log, run_estimator, summarise, write_trajectory
 from surefoot.estimate.summary_text import summary_text
 from surefoot.robot.loading import build_robot
+from surefoot.sensor_log.file_checks import printable_path
 
 
 def estimate(arguments: argparse.Namespace) -> None:
     """Read the log, run the estimator, print a summary and write the requested files.
 
+    What the reader converted or left out is printed on stderr, one line each.
+
     Raises:
-        Error: A wrong argument, or an invalid log.
+        Error: A wrong argument, an invalid log, or a log without any usable row. In the last case
+            the files are written: they show the status of each row.
         OSError: A file could not be written.
     """
     check_json_path(arguments.json)
@@ -31,7 +37,9 @@ def estimate(arguments: argparse.Namespace) -> None:
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # not None, because a default robot is given
     gains = read_gains(arguments.gains, description)
-    log = read_log(arguments.log)
+    log = read_log(arguments.log, arguments.columns)
+    for note in log.notes:
+        print(f"surefoot: note: {log.source}: {note}", file=sys.stderr)
     result = run_estimator(build_robot(description), log, gains, progress_bar())
     summary = summarise(result)
     write_json(arguments.json, summary)
@@ -40,8 +48,15 @@ def estimate(arguments: argparse.Namespace) -> None:
     if arguments.report is not None:
         from surefoot.estimate.report import write_report
 
-        page = write_report(result, summary, arguments.report, ["surefoot", *arguments.argv])
+        words = ["surefoot", *map(printable_path, arguments.argv)]
+        page = write_report(result, summary, arguments.report, words)
     if arguments.json != "-":
         print(summary_text(summary))
         if arguments.report is not None:
             print(f"  report    {page}")
+    if not summary["statuses"].get("OK"):
+        statuses = ", ".join(f"{count} {name}" for name, count in summary["statuses"].items())
+        raise Error(
+            f"{log.source}: got no usable row of {log.rows} ({statuses or 'no time'}), expected "
+            "rows that the estimator accepts"
+        )

@@ -19,14 +19,23 @@ each leg hip thigh calf:
 from q. truth_ columns are only compared with the estimate; the estimator does not receive them. In
 an NPZ file a column is an array (rows, width). In a CSV file each number has its own column, with a
 header such as accelerometer_0, imu.accelerometer[0], acc_x, motorState[3].q, q_FL_hip,
-q_FL_hip_joint or footForce_RL.
+q_FL_hip_joint or footForce_RL. The names of ROS messages, of bags turned into CSV and of serow are
+known too. For others, --columns gives a TOML file:
+
+  time = "stamp_us"
+  gyroscope = ["wx", "wy", "wz"]
+  q_0 = "front right hip"
+
+A clock may count seconds, milliseconds, microseconds or nanoseconds. What is converted or left out
+is printed on stderr. A bag (.db3, .mcap or its folder) needs the extra 'bags'. It has LowStates of
+unitree_go or unitree_legged_msgs, or Imu and JointState messages.
 
 A trajectory has one row for each row of the log that does not repeat the row before:
 
 {trajectory}
 
-exit status: 0 done, 1 a file could not be written, 2 a wrong argument or an invalid log, 130
-interrupted"""
+exit status: 0 done, 1 a file could not be written, 2 a wrong argument, an invalid log, or a log
+without a usable row, 130 interrupted"""
 
 
 def add_estimate_options(parser: argparse.ArgumentParser) -> None:
@@ -37,7 +46,8 @@ def add_estimate_options(parser: argparse.ArgumentParser) -> None:
         trajectory=_table(list(TRAJECTORY_COLUMNS.items())),
     )
     add = parser.add_argument
-    add("log", metavar="LOG.csv|LOG.npz", help="sensor log of a robot")
+    add("log", metavar="LOG", help="sensor log of a robot: CSV, NPZ or ROS 2 bag")
+    add("--columns", metavar="FILE.toml", help="names of the columns in the log")
     add_robot_options(parser, "go1")
     add("--gains", metavar="FILE.toml", help="gains that differ from the robot's own")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")

@@ -56,7 +56,7 @@ def _ticks(log: SensorLog, rows: slice) -> Array:
         values = log.columns["tick"][rows, 0]
     else:
         values = np.round(1000.0 * log.time[rows]) % 2**32
-    return np.asarray(np.nan_to_num(values).astype(np.uint32))
+    return np.where(np.isfinite(values), values, 0.0).astype(np.uint32)
 
 
 def finite_rows(log: SensorLog) -> tuple[npt.NDArray[np.bool_], dict[str, int]]:

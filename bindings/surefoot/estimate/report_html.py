@@ -32,6 +32,7 @@ def render_page(summary: dict[str, Any], command: str) -> str:
         "bad" if not summary["statuses"].get("OK") else "fair" if warning_lines(summary) else "good"
     )
     notes = "".join(f"<p>Warning: {escape(text)}</p>" for text in warning_lines(summary))
+    notes += "".join(f"<p>Note: {escape(text)}</p>" for text in summary["notes"])
     body = f"""<h1><span class="mark {mark}"></span>{escape(title)}</h1>
 <p class="soft">{escape(log_line(summary))}</p>
 {notes}

@@ -57,6 +57,7 @@ def _log(estimate: Estimate) -> dict[str, Any]:
         "truth_columns": [name for name in names if COLUMN_BY_NAME[name].is_truth],
         "ignored_columns": [*log.ignored, *(name for name in names if name in other_clock)],
         "warnings": list(estimate.warnings),
+        "notes": list(log.notes),
         "non_finite_rows": estimate.non_finite,
         "duplicate_rows": estimate.duplicates,
         "gaps": estimate.gaps,

@@ -23,6 +23,7 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ),
         ("ignored_columns", "", "names in the file that were not used"),
         ("warnings", "", "findings that make the log doubtful"),
+        ("notes", "", "what the reader of the file converted or left out"),
         ("non_finite_rows", "", "rows with NaN or infinity, by column; the estimator rejects them"),
         ("duplicate_rows", "", "rows whose clock repeats the row before; skipped"),
         ("gaps", "", "steps longer than 0.1 s; the estimator receives 0.1 s instead"),

@@ -7,6 +7,9 @@ from typing import Any
 
 from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS
 
+# Chosen for a line that a person reads; a dump of a whole LowState has 200 other names.
+MAX_IGNORED_NAMES = 12  # largest number of ignored columns in a line; the summary has all
+
 
 def headline(s: dict[str, Any]) -> str:
     """Return one sentence with robot, rows and duration."""
@@ -34,7 +37,9 @@ def warning_lines(s: dict[str, Any]) -> list[str]:
         name for name in s["ignored_columns"] if name not in CLOCK_COLUMNS
     ]  # no warning about a second clock
     if ignored:
-        lines.append(f"ignored columns: {', '.join(ignored)}")
+        more = len(ignored) - MAX_IGNORED_NAMES
+        names = [*ignored[:MAX_IGNORED_NAMES], *[f"and {more} more"] * (more > 0)]
+        lines.append(f"ignored columns: {', '.join(names)}")
     refused = {name: count for name, count in s["statuses"].items() if name != "OK"}
     lines += [f"{count} rows {name}" for name, count in refused.items()]
     lines += [f"{n} rows of {name} not finite" for name, n in s["non_finite_rows"].items()]

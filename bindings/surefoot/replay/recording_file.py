@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Error, LowCmd, LowState
-from surefoot.files.corrupt_npz import CORRUPT_NPZ
 from surefoot.files.tables import write_npz
 from surefoot.replay.recording import Call, Recording
 from surefoot.sensor_log.column_definitions import REPLAY_PREFIX
+from surefoot.sensor_log.file_checks import check_npz_file, printable_path, refusing_corrupt_npz
 
 _LOW_STATES, _COMMANDS, _HEADER = (
     f"{REPLAY_PREFIX}{name}" for name in ("reports", "commands", "head")
@@ -49,26 +49,23 @@ def read_recording(path: str | Path) -> Recording:
         Error: The file cannot be read, contains no recording, or is corrupt.
     """
     path = Path(path)
+    source = printable_path(path)
     if path.suffix.lower() != ".npz":
-        raise Error(f"log: got '{path}', expected a .npz file: a CSV lacks the options and calls")
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            missing = [name for name in (_LOW_STATES, _COMMANDS, _HEADER) if name not in file.files]
-            if missing:
-                raise Error(f"{path}: got no {missing[0]}, expected a log of surefoot stand --log")
-            samples, commands, header = (
-                file[_LOW_STATES],
-                file[_COMMANDS],
-                json.loads(str(file[_HEADER])),
-            )
-    except OSError as problem:
-        raise Error(f"log: cannot read '{path}': {problem.strerror or problem}") from None
-    except CORRUPT_NPZ as problem:
-        raise Error(f"{path}: got a corrupt file ({problem}), expected an NPZ log") from None
-    return _check(path, samples, commands, header)
+        raise Error(f"log: got '{source}', expected a .npz file: a CSV lacks the options and calls")
+    check_npz_file(path)
+    with refusing_corrupt_npz(path), np.load(path, allow_pickle=False) as file:
+        missing = [name for name in (_LOW_STATES, _COMMANDS, _HEADER) if name not in file.files]
+        if missing:
+            raise Error(f"{source}: got no {missing[0]}, expected a log of surefoot stand --log")
+        samples, commands, header = (
+            file[_LOW_STATES],
+            file[_COMMANDS],
+            json.loads(str(file[_HEADER])),
+        )
+    return _check(source, samples, commands, header)
 
 
-def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -> Recording:
+def _check(source: str, samples: np.ndarray, commands: np.ndarray, header: Any) -> Recording:
     """Return the recording that the arrays of a file contain.
 
     Raises:
@@ -80,17 +77,17 @@ def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -
     ):
         if rows.dtype != np.uint8 or rows.ndim != 2 or rows.shape[1] != width or not len(rows):
             got = f"{rows.dtype} {rows.shape}"
-            raise Error(f"{path}: {name}: got {got}, expected uint8 (rows, {width})")
+            raise Error(f"{source}: {name}: got {got}, expected uint8 (rows, {width})")
     if len(samples) != len(commands):
         raise Error(
-            f"{path}: got {len(samples)} samples and {len(commands)} commands, expected equal"
+            f"{source}: got {len(samples)} samples and {len(commands)} commands, expected equal"
         )
     if not isinstance(header, dict) or header.pop("format", None) != _FORMAT:
-        raise Error(f"{path}: {_HEADER}: got another format, expected {_FORMAT}")
+        raise Error(f"{source}: {_HEADER}: got another format, expected {_FORMAT}")
     if {name: type(value) for name, value in header.items()} != _KEYS:
-        raise Error(f"{path}: {_HEADER}: got {sorted(header)}, expected {sorted(_KEYS)}")
+        raise Error(f"{source}: {_HEADER}: got {sorted(header)}, expected {sorted(_KEYS)}")
     try:
         calls = tuple(Call(**call) for call in header.pop("calls"))
     except TypeError as problem:
-        raise Error(f"{path}: {_HEADER}: got an invalid call: {problem}") from None
+        raise Error(f"{source}: {_HEADER}: got an invalid call: {problem}") from None
     return Recording(**header, samples=samples, commands=commands, calls=calls)

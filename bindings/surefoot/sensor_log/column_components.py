@@ -14,7 +14,9 @@ from surefoot.sensor_log.column_definitions import (
     Column,
     valid_names,
 )
+from surefoot.sensor_log.column_map import ColumnMap
 from surefoot.sensor_log.column_names import find_column
+from surefoot.sensor_log.foreign_names import clock_rank
 
 Location = TypeVar("Location")
 
@@ -27,19 +29,29 @@ class ColumnComponents(Generic[Location]):
 
     Args:
         source: Name of the file, for messages.
+        column_map: Names that the user gives to columns.
 
     Attributes:
         ignored: Unknown names in the file, in the order of the file.
+        nanoseconds: Location of the nanoseconds of a ROS stamp, whose seconds are `time`.
     """
 
-    def __init__(self, source: str) -> None:
+    def __init__(self, source: str, column_map: ColumnMap) -> None:
         self.ignored: list[str] = []
+        self.nanoseconds: Location | None = None
+        self._map = column_map
         self._source = source
         self._locations: dict[tuple[str, int], tuple[str, Location]] = {}
 
     def find(self, text: str) -> tuple[Column, int | None] | None:
-        """Return the result of find_column() for a name; add an unknown name to `ignored`."""
-        found = find_column(text)
+        """Return column and component of a name, by the map or else by find_column().
+
+        An unknown name is added to `ignored`.
+        """
+        found = self._map.find(text)
+        if found is None:
+            found = find_column(text)
+            found = None if found is None or self._map.has(found[0]) else found
         if found is None:
             self.ignored.append(text)
         return found
@@ -47,12 +59,19 @@ class ColumnComponents(Generic[Location]):
     def add(self, text: str, column: Column, index: int, location: Location) -> None:
         """Record the location of a component that the file holds under the name `text`.
 
+        A file may have several clocks in seconds: the sensors' own stamp is used.
+
         Raises:
             Error: The component has a location already.
         """
         name = column.component(index)
         if (column.name, index) in self._locations:
             first = self._locations[column.name, index][0]
+            if column.name == "time" and _rank(text) != _rank(first):
+                self.ignored.append(max(first, text, key=_rank))
+                if _rank(text) < _rank(first):
+                    self._locations[column.name, index] = (text, location)
+                return
             raise Error(
                 f"{self._source}: column '{name}': got '{first}' and '{text}', expected it once"
             )
@@ -96,3 +115,9 @@ class ColumnComponents(Generic[Location]):
                 f"expected a clock, {', '.join(REQUIRED_COLUMNS)}; "
                 f"valid names (and widths): {valid_names()}"
             )
+
+
+def _rank(text: str) -> int:
+    """Return the rank of a clock's name, 0 the best; the seconds of a ROS stamp are the best."""
+    rank = clock_rank(text.strip().lower())
+    return 0 if rank is None else rank

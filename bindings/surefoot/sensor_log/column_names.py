@@ -3,7 +3,9 @@
 All common spellings are accepted. A name has three parts: an optional field path of the SDK, the
 column's name or an alias (upper or lower case), and an optional component. Examples:
 `accelerometer_0`, `imu.accelerometer[0]`, `acc.x`, `quat_w`, `q_FR_hip_joint`, `motorState[3].q`,
-`motorState_3_q`, `footForce_RL`, `truth_foot_forces_FR_z`.
+`motorState_3_q`, `footForce_RL`, `truth_foot_forces_FR_z`. The path may begin with a topic or a
+variable: `/lowstate/motor_state[3]/q`, `field.imu.quaternion0`. foreign_names.py has the names of
+other tools.
 """
 
 from __future__ import annotations
@@ -11,9 +13,20 @@ from __future__ import annotations
 import re
 
 from surefoot.messages.low_state_layout import LEGS
-from surefoot.sensor_log.column_definitions import COLUMNS, JOINTS, MOTOR_NAMES, Column
+from surefoot.sensor_log.column_definitions import (
+    COLUMN_BY_NAME,
+    COLUMNS,
+    JOINTS,
+    MOTOR_NAMES,
+    Column,
+)
+from surefoot.sensor_log.foreign_names import find_foreign
 
-_PATH = re.compile(r"^/?(?:low_?state[._/])?(?:imu(?:_?state)?[._/]|motor_?state[._/](?=[a-z]))?")
+_FIELD = r"(?:tick$|gyro|acc|quat|foot_?force|motor_?state)"
+_PATH = re.compile(
+    rf"^/?(?:(?:.*[./])?imu(?:_?state)?[._/]|.*[./](?={_FIELD})|low_?state[._/])?"
+    r"(?:motor_?state[._/](?=[a-z]))?"
+)
 _MOTOR = re.compile(r"^motor_?state[._\[/]?(\d+)\]?[._/](\w+)$")
 _NAMES = sorted(
     ((name, column) for column in COLUMNS for name in (column.name.lower(), *column.aliases)),
@@ -27,6 +40,15 @@ def find_column(text: str) -> tuple[Column, int | None] | None:
     The component is None if the name refers to the whole column. For a column of width 1, the
     component may be 0 or None, with the same meaning.
     """
+    return _find_own(text) or _find_foreign(text)
+
+
+def _find_foreign(text: str) -> tuple[Column, int | None] | None:
+    found = find_foreign(text.strip().lower())
+    return None if found is None else (COLUMN_BY_NAME[found[0]], found[1])
+
+
+def _find_own(text: str) -> tuple[Column, int | None] | None:
     word = _PATH.sub("", text.strip().lower())
     motor = _MOTOR.match(word)
     if motor:

@@ -21,6 +21,7 @@ class SensorLog:
         clock: Name of the column from which `time` is computed.
         ignored: Unknown names in the file.
         warnings: Findings that make the log doubtful.
+        notes: What the reader of the file converted or left out, one sentence each.
     """
 
     source: str
@@ -29,6 +30,7 @@ class SensorLog:
     clock: str = "tick"
     ignored: tuple[str, ...] = ()
     warnings: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = field(default=())
 
     @property
     def rows(self) -> int:

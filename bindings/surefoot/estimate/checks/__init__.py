@@ -32,6 +32,6 @@ def check_log(robot: Robot, log: SensorLog) -> list[str]:
         *check_velocities(log, windows),
         *check_gyroscope(log, windows),
         *check_quaternion(log, windows),
-        *check_torques(robot, log),
         *check_legs(robot, log, windows),
+        *check_torques(robot, log),
     ]

@@ -6,6 +6,7 @@ import numpy as np
 
 from surefoot._core import Error, Robot
 from surefoot.estimate.checks.quaternion import quaternion_rotations
+from surefoot.estimate.checks.torques import feet_are_loaded
 from surefoot.estimate.checks.windows import (
     DEG_PER_RAD,
     MIN_ROTATION,
@@ -21,6 +22,11 @@ GRAVITY = 9.81
 # [rad/s] Rate above which the unit must be deg/s. Derived: the full scale of 2000 deg/s (assumed),
 # 34.9 rad/s, plus 3 %.
 GYRO_FULL_SCALE = 36.0
+# Share of gravity below which the accelerometer shows free fall. Chosen: the median of a log with
+# pushes and impacts is closer to 1, and a bias of 0.5 m/s^2 is 0.05.
+FREE_FALL_SHARE = 0.3
+# [s] Duration above which a log cannot be a free fall. Derived: a fall of 1 s is 4.9 m deep.
+MAX_FREE_FALL = 1.0
 # [rad] Smallest change of the accelerometer's tilt that counts as a rotation. Chosen: 3 deg, larger
 # than the noise of the averaged acceleration. The gyroscope must show such a rotation too.
 MIN_TILT = 0.05
@@ -30,7 +36,7 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
     """Compare the median of the accelerometer with gravity; return warnings.
 
     Raises:
-        Error: The accelerometer has a wrong unit or sign.
+        Error: The accelerometer has a wrong unit, or lacks gravity although the robot stands.
     """
     values = log.columns["accelerometer"]
     norm = float(finite_median(np.linalg.norm(values, axis=1, keepdims=True))[0])
@@ -43,6 +49,12 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
             )
     if norm == 0.0:
         return ["accelerometer is zero most of the time"]
+    if norm < FREE_FALL_SHARE * GRAVITY and _cannot_fall(robot, log):
+        raise Error(
+            f"{log.source}: column 'accelerometer': got a median size of {norm:.3g} m/s^2, "
+            f"expected about {GRAVITY}: it seems to lack gravity; log the specific force, + g "
+            "upwards at rest"
+        )
     # Chosen: the median over a log with pushes is closer to 1 g than this.
     if not 0.7 * GRAVITY < norm < 1.4 * GRAVITY:
         return [f"accelerometer has a median size of {norm:.3g} m/s^2, expected about {GRAVITY}"]
@@ -51,6 +63,12 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
     if specific_force[2] < -0.7 * GRAVITY:
         return ["accelerometer: the robot lies on its back, or the sign is wrong"]
     return []
+
+
+def _cannot_fall(robot: Robot, log: SensorLog) -> bool:
+    """Return whether the log is longer than a free fall, or its torques show loaded feet."""
+    duration = float(np.ptp(log.time[np.isfinite(log.time)]))
+    return duration > MAX_FREE_FALL or feet_are_loaded(robot, log, np.arange(log.rows))
 
 
 def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:

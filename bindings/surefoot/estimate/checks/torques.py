@@ -1,4 +1,8 @@
-"""Checks of the sign of the joint torques: the calf torques must carry the robot."""
+"""Checks of the signs of the joint torques: they must carry the robot.
+
+The feet of the right legs are to the right of their hips, so the weight turns the hips of both
+sides in opposite directions. Hip torques of the opposite sign show exchanged legs even at rest.
+"""
 
 from __future__ import annotations
 
@@ -19,24 +23,60 @@ MIN_LOADED_SHARE = 0.3  # calf torque over that of a loaded leg, above which the
 
 
 def check_torques(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare the median calf torques with the torques that carry the weight in the median pose.
+    """Compare the median torques with the torques that carry the weight in the median pose.
 
     Returns:
         Warnings.
 
     Raises:
-        Error: The torques of all four legs have the wrong sign: the feet would pull the ground up.
+        Error: The calf torques of all four legs have the wrong sign: the feet would pull the
+            ground up. Or the hip torques of two or more loaded legs have the wrong sign.
     """
     if "tauEst" not in log.columns:
         return []
-    share = finite_median(log.columns["tauEst"])[2::3] / _standing_torques(robot, log)[2::3]
+    shares = finite_median(log.columns["tauEst"]) / _standing_torques(robot, log)
+    share = shares[2::3]
     if np.all(share < MAX_PULLING_SHARE):
         raise Error(
             f"{log.source}: column 'tauEst': got median calf torques {np.mean(share):.2f} "
             "times those that carry the robot, expected the same sign"
         )
+    doubts = _check_sides(log, shares[0::3], share)
     pulling = [leg for leg, value in zip(LEGS, share, strict=True) if value < MAX_PULLING_SHARE]
-    return [f"tauEst of {', '.join(pulling)} pulls the ground up most of the time"] * bool(pulling)
+    if pulling:
+        doubts.append(f"tauEst of {', '.join(pulling)} pulls the ground up most of the time")
+    return doubts
+
+
+def _check_sides(log: SensorLog, hip_share: Array, calf_share: Array) -> list[str]:
+    """Check that the hips of loaded legs carry the robot as hips of their side do.
+
+    On slopes of up to 10 deg, with payloads and pushes, a healthy hip has a share of 0.4 to 1.7.
+    The hip of a leg of the other side has the negative. A lateral force of a third of the foot's
+    load would reverse a healthy hip too, so one leg is a doubt.
+
+    Args:
+        log: The log.
+        hip_share: (4,) hip torques over those of loaded legs.
+        calf_share: (4,) calf torques over those of loaded legs.
+
+    Returns:
+        Warnings.
+
+    Raises:
+        Error: Two or more hips have the wrong sign.
+    """
+    wrong = (hip_share < MAX_PULLING_SHARE) & (calf_share > MIN_LOADED_SHARE)
+    legs = ", ".join(leg for leg, found in zip(LEGS, wrong, strict=True) if found)
+    if not legs:
+        return []
+    if np.count_nonzero(wrong) == 1:
+        return [f"tauEst: the hip of {legs} carries the robot as a leg of the other side would"]
+    raise Error(
+        f"{log.source}: columns 'q' and 'tauEst': got hip torques of {legs} with "
+        f"{np.mean(hip_share[wrong]):.2f} times the value that carries the robot, expected the "
+        "same sign: are left and right legs exchanged? Use the order FR FL RR RL, signs of the SDK"
+    )
 
 
 def feet_are_loaded(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -> bool:
