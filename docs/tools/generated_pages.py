@@ -29,7 +29,11 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[str]
 
 
 def _gains() -> list[str]:
-    lines = ["# Gains", "", "All gains: `surefoot.gain_table()`, printed by `surefoot gains`.", ""]
+    intro = (
+        "All gains: `surefoot.gain_table()`, printed by `surefoot gains`. "
+        "`surefoot gains --robot go1` prints the robot's own values."
+    )
+    lines = ["# Gains", "", intro, ""]
     groups: dict[str, list[surefoot.GainInfo]] = {}
     for info in surefoot.gain_table():
         groups.setdefault(info.group, []).append(info)
