@@ -132,9 +132,8 @@ def resident_mb() -> float:
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
-Progress = Callable[
-    [float, DriftMonitor], None
-]  # called with the simulated time [s] and the record so far
+Progress = Callable[[float, DriftMonitor], None]
+"""Function that receives the simulated time [s] and the record so far."""
 
 
 def run_endurance(

@@ -31,8 +31,9 @@ KINDS = ("lift", "drop")
 POWER_LEVEL = 10  # level of the power protection; high, because a landing takes power
 TIME_BEFORE, TIME_AFTER = 1.0, 3.0  # [s] duration of standing before the lift and after it
 PERIOD = 0.002  # [s] time between two ticks
-MAX_STILL_SPEED = 0.05  # [m/s], [rad/s] base speed below which the robot stands still
-HEIGHT_TOLERANCE = 0.01  # [m] allowed change of height
+# [m/s], [rad/s] Largest speed of the base and of every joint with which the robot stands still.
+MAX_STILL_SPEED = 0.05
+HEIGHT_TOLERANCE = 0.01  # [m] allowed change of the base height
 
 
 @dataclass

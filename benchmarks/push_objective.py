@@ -33,7 +33,7 @@ RANGES = {  # smallest and largest value of each parameter, on a logarithmic sca
     "foot_speed": (0.5, 10.0),
     "foot_step": (0.1, 0.5),
     "edge_rise": (0.3, 100.0),  # 100 disables the limit
-    "friction": (0.6, 0.8),  # that the controller assumes: `friction` in the TOML section `robot`
+    "friction": (0.6, 0.8),  # assumed by the controller: `friction` in the TOML section `robot`
 }
 HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] only to the left, because robots are symmetric
 MAX_FALLS = 3  # number of falls per heading after which harder pushes are skipped

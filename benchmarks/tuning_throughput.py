@@ -62,9 +62,8 @@ def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
     with cluster() as address:
         worker_pools = {"one": ProcessPool(1), "two": ProcessPool(2), "dask": DaskCluster(address)}
         for worker_pool in worker_pools.values():
-            _run(
-                worker_pool, job, 4 * worker_pool.count
-            )  # so that every worker has built its plants
+            # Untimed run, long enough that every worker builds its plants.
+            _run(worker_pool, job, 4 * worker_pool.count)
         for _ in range(rounds):
             for name, worker_pool in worker_pools.items():
                 wall_times[name].append(_run(worker_pool, job, trials))

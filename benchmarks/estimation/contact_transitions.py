@@ -141,7 +141,7 @@ def score_transitions(share: Array, confidence: Array, rate: float) -> Transitio
 def _load_crossed_threshold(
     share: Array, changes: Array, becomes_loaded: Array, reach: int
 ) -> Array:
-    """Return which changes follow a load that crossed the threshold only for a short time."""
+    """Return for each change whether the load crossed the threshold, even briefly, just before."""
     windows = [share[max(0, row - reach) : row + 1] for row in changes]
     pairs = zip(windows, becomes_loaded, strict=True)
     return np.array(

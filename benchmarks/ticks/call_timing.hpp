@@ -14,7 +14,9 @@ struct CallTiming {
   float wall = 0.0F;  ///< [us] wall time
   float cpu = 0.0F;   ///< [us] CPU time of this thread
   std::uint16_t iterations = 0;
-  std::uint16_t failed = 0;  ///< 1: no usable status
+  /// 1: StandController used another fallback level than kSolved, or WholeBodyController had no
+  /// usable status.
+  std::uint16_t failed = 0;
 };
 
 /// Timings of one kind of call. Memory for all timings is reserved before the first call.

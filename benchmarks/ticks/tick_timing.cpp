@@ -12,8 +12,9 @@ namespace {
 
 using namespace surefoot;
 
-constexpr long kMaxStageTimings = 100000;  // limit of the timings per stage, in whole passes
-constexpr std::size_t kPacedTicks = 500;   // number of paced ticks: one second at 500 Hz
+// Largest number of timings per stage; one whole pass is timed even if it has more LowStates.
+constexpr long kMaxStageTimings = 100000;
+constexpr std::size_t kPacedTicks = 500;  // number of paced ticks: one second at 500 Hz
 
 // Count the heap allocations and page faults of a call.
 template <typename Call>

@@ -22,9 +22,8 @@ class StandOutcome:
     """Outcome of a quiet stand: largest errors relative to the initial pose.
 
     On moving ground the body may keep its attitude or follow the ground. So tilt and height are
-    compared with the initial pose in two frames: the world frame, and a frame along the plane of
-        the
-    feet. The smaller error counts. On moving ground, only the horizontal part of a foot
+    compared with the initial pose in two frames, the world frame and a frame along the plane of the
+    feet, and the smaller error counts. On moving ground, only the horizontal part of a foot
     displacement counts.
 
     Attributes:

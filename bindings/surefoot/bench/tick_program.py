@@ -23,9 +23,7 @@ from surefoot.bench.recording import Recording
 
 PROGRAM = Path(surefoot.__path__[0]) / "bin" / "surefoot_tick_bench"
 # Layout of the C++ struct bench::CallTiming.
-_CALL_TIMING = np.dtype(
-    [("wall", "<f4"), ("cpu", "<f4"), ("iterations", "<u2"), ("failed", "<u2")]
-)
+_CALL_TIMING = np.dtype([("wall", "<f4"), ("cpu", "<f4"), ("iterations", "<u2"), ("failed", "<u2")])
 
 
 @dataclass(frozen=True)
@@ -36,7 +34,8 @@ class Series:
         wall: (n,) wall time [us].
         cpu: (n,) CPU time of the thread [us]; None where only the wall clock was read.
         iterations: (n,) iterations of the solver.
-        failures: Number of calls without a usable status.
+        failures: Number of failed calls: StandController used another fallback level than SOLVED,
+            or WholeBodyController had no usable status.
         allocations: Number of heap allocations in all calls.
         page_faults: Number of page faults in all calls.
         first_allocations: Number of heap allocations in the first pass, which is not timed.

@@ -34,8 +34,8 @@ class Expectation:
             must be refused.
         fault: Name of the fault in fault_table() that the supervisor must report; "" for none.
         alternative: Name of a fault in fault_table(). If the supervisor detects this fault, damping
-            is a correct reaction too. Needed for faults that the supervisor can only detect while
-            the robot moves. "" for none.
+            is a correct reaction too. Needed for faults that the supervisor may or may not detect,
+            because it can detect them only while the robot moves. "" for none.
     """
 
     reaction: Reaction
@@ -45,7 +45,7 @@ class Expectation:
 
 
 WATCH = Expectation(Reaction.WATCH)
-REFUSE = Expectation(Reaction.REFUSE, 0.020)  # within [s]: kStaleTime (common/command_times.hpp)
+REFUSE = Expectation(Reaction.REFUSE, 0.020)  # limit [s]: kStaleTime (common/command_times.hpp)
 
 
 def expect_damp(within: float) -> Expectation:

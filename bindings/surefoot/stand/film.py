@@ -13,7 +13,7 @@ from surefoot.sim import Plant, Renderer
 from surefoot.stand.simulation_loop import Progress, make_plant
 from surefoot.stand.stand_log import StandLog
 
-# The numbers are chosen so that the film has few MB and a person can follow it.
+# The numbers are chosen: the film has only a few MB, and a person can follow it.
 WIDTH, HEIGHT = 480, 360  # [px] size of the film
 FRAME_PERIOD = 0.08  # [s] time between frames
 PUSH_FRAME_PERIOD = 0.03  # [s] time between frames while a push acts

@@ -78,9 +78,10 @@ class Trace:
         """Return one recorded quantity, oldest row first.
 
         Args:
-            name: "time" (n,) [s]; "base" (n, 7) position [m] and quaternion w x y z; "velocity" (n,
-                3) of the base [m/s]; "feet" (n, 4, 3) positions [m]; "tau" (n, 12) motor torques
-                [N.m]; "dq" (n, 12) motor velocities, on the rotor's side of the gears [rad/s];
+            name: "time" (n,) [s]; "base" (n, 7) position [m] and quaternion w x y z; "velocity"
+                (n, 3) of the base [m/s]; "feet" (n, 4, 3) positions [m]; "tau" (n, 12) motor
+                torques [N.m]; "dq" (n, 12) motor velocities, on the rotor's side of the gears
+                [rad/s];
                 "push" (n,) greatest component of the push force [N]. Positions, velocities and
                 forces are in world axes.
         """

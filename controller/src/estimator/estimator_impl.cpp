@@ -11,26 +11,27 @@ namespace {
 // LegForces::kFilterTime.
 constexpr double kRateFilterTime = 0.005;
 // [m/s] The motion of the base counts in path_length only above this speed. Chosen larger than the
-// velocity noise of a robot at rest. If larger: slow motion is not counted, although it increases
-// the variance of the position too (gain leg_scale).
+// velocity noise of a robot at rest. If much larger: slow motion is not counted, although it too
+// causes a position error by wrong leg lengths (gain leg_scale).
 constexpr double kMinTravelSpeed = 0.05;
-// [m/s] Standard deviation that is added to the velocity when all stance feet are rejected. Chosen
-// larger than the velocity error after a blow that saturates the accelerometer. Test:
-// test_estimate_recovers_from_a_saturated_accelerometer.
+// [m/s] When all stance feet are rejected, the square of this value is added to the variance of the
+// velocity. Chosen larger than the velocity error after a blow that saturates the accelerometer.
+// Test: test_estimate_recovers_from_a_saturated_accelerometer.
 constexpr double kRecoveryVelocitySigma = 1.0;
 // Contact confidence above which a foot counts as a stance foot for FootNoise and for the recovery
 // from rejected feet. Chosen larger than 0.5, which is reached half-way through contact_dwell, and
 // smaller than 1, which a foot may never reach if one source disagrees.
 constexpr double kCertainContact = 0.9;
 // [rad/s] Angular rate below which the body counts as at rest. Chosen larger than bias and noise of
-// the gyroscope (0.02 and 0.01 rad/s by default). If larger: rotation with centripetal acceleration
-// counts as rest.
+// the gyroscope (0.02 and 0.01 rad/s by default). If larger: a rotation whose centripetal
+// acceleration disturbs the accelerometer counts as rest.
 constexpr double kRestRate = 0.2;
-// The feet carry the robot if both of these limits are exceeded:
-// Sum of the loads of all feet, as a share of the weight. Chosen between 0, the sum in the air, and
-// 1, the sum at rest.
+// The feet carry the robot if both of these limits are exceeded.
+//
+// Limit of the sum of the loads of all feet, as a share of the weight. Chosen between 0, the sum in
+// the air, and 1, the sum at rest.
 constexpr double kSupportedShare = 0.4;
-// Sum of the contact confidences. Derived: half-way between two and three feet.
+// Limit of the sum of the contact confidences. Derived: half-way between two and three feet.
 constexpr double kMinContactSum = 2.5;
 
 }  // namespace
@@ -63,7 +64,7 @@ FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
 
 // Compute kinematics and dynamics with the base at the origin and without linear velocity;
 // correct() shifts the results to the estimated position and velocity. The attitude in state.q is
-// the predicted one: the correction of the attitude takes effect in the next tick.
+// the predicted attitude: this tick's correction of the attitude takes effect in the next tick.
 void StateEstimator::Impl::update_dynamics() noexcept {
   if (started) state.q.segment<4>(3) = filter.quaternion().coeffs();  // x y z w
   state.q.head<3>().setZero();
@@ -127,7 +128,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     stance_count += in_stance;
     rejected_count += in_stance && filter.rejected_feet()[leg];
   }
-  // While the IMU repeats old samples, the innovations contain motion that the IMU did not measure.
+  // While the IMU repeats old values, the innovations contain motion that the IMU did not measure.
   // The noise of the feet must not adapt to this motion.
   const bool imu_is_fresh = imu.w_age == 1 && imu.f_age <= 2;
   if (imu_is_fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);

@@ -9,8 +9,8 @@ namespace surefoot {
 
 namespace {
 
-// [rad] Smallest initial standard deviation of the tilt, 3 deg. Chosen equal to the tilt difference
-// below which quaternion and accelerometer agree.
+// [rad] Smallest initial standard deviation of the tilt, 3 deg. Chosen equal to kAgreementTilt, the
+// tilt difference below which quaternion and accelerometer agree.
 constexpr double kMinTiltSigma = 0.05;
 // The accelerometer measures gravity alone if the norm of the specific force differs from g by less
 // than this share of g. Chosen larger than bias and scale error of an accelerometer
@@ -35,7 +35,8 @@ Quaternion remove_yaw(const Quaternion& R) noexcept {
 
 // Return the attitude with zero heading in which the specific force points upwards.
 Quaternion attitude_from_accelerometer(const Vector3& f_base) noexcept {
-  if (f_base.norm() < 1.0) return Quaternion::Identity();  // free fall: no vertical
+  // Below 1 m/s^2 (chosen) the robot is in free fall, and the specific force shows no vertical.
+  if (f_base.norm() < 1.0) return Quaternion::Identity();
   return Quaternion::FromTwoVectors(f_base, Vector3::UnitZ());
 }
 
@@ -95,8 +96,8 @@ void StateEstimator::Impl::initialise() noexcept {
   Quaternion R =
       remove_yaw(imu.has_quaternion ? imu.R_world_base : attitude_from_accelerometer(imu.f_base));
   // A robot that does not measure its attitude may send the quaternion (1, 0, 0, 0), which has unit
-  // length too. So at rest the tilt of the accelerometer replaces a quaternion whose tilt differs
-  // from it by more than start_tilt.
+  // length too. So at rest, a quaternion whose tilt differs from the tilt of the accelerometer by
+  // more than start_tilt is replaced by the tilt of the accelerometer.
   if (measures_gravity(imu.f_base) && tilt_between(imu.f_base, R) > gains.start_tilt)
     R = attitude_from_accelerometer(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();
@@ -134,8 +135,8 @@ void StateEstimator::Impl::align() noexcept {
   aligned = true;
 }
 
-// Restore the initial uncertainty, and discard the biases: a wrong attitude has made them wrong
-// too.
+// Restore the initial uncertainty, and discard the biases: with a wrong attitude, the filter has
+// estimated wrong biases too.
 void StateEstimator::Impl::restart_alignment() noexcept {
   filter.reset_biases();
   filter.reset_covariance(

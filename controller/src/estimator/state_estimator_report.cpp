@@ -7,9 +7,9 @@ namespace {
 
 using Covariance = Eigen::Matrix<double, 15, 15>;
 
-// Convert the covariance of the filter's error xi to the covariance of plain errors of the base; xi
-// is the error on the group, of the IMU point. To first order, a vector x of the state has the
-// error x_estimate - x = xi_x + xi_R x x.
+// Convert the covariance of the filter's error xi to the covariance of plain errors
+// (estimate minus true value) of the base. xi is the error on the group, of the IMU point. To first
+// order, a vector x of the state has the plain error x_estimate - x = xi_x + xi_R x x.
 Covariance base_covariance(const InvariantFilter& filter, const Vector3& p_base,
                            const Vector3& v_base, const Vector3& p_base_imu) noexcept {
   constexpr int kParts[] = {error_index::kRotation, error_index::kVelocity, error_index::kPosition,
@@ -48,8 +48,8 @@ EstimatorReport StateEstimator::report() const noexcept {
   const Vector3 v_base = s.dynamics.R_world_base() * s.state.v.head<3>();
   out.covariance =
       base_covariance(s.filter, s.state.q.head<3>(), v_base, s.robot.config().p_base_imu);
-  // Wrong leg lengths cause the same position error in every step. White noise does not model such
-  // an error, so its variance is added here.
+  // Wrong leg lengths cause the same relative position error in every step. The white noise of the
+  // filter does not model such an error, so the square of leg_scale times the path length is added.
   const double scale_error = s.gains.leg_scale * s.path_length;
   out.covariance.diagonal().segment<3>(6).array() += scale_error * scale_error;
   out.nis = s.filter.nis();

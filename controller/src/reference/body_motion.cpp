@@ -8,16 +8,17 @@ namespace surefoot {
 
 namespace {
 
-// [s] A limit is cleared when no axis has been blocked for this time. Chosen. If shorter: the
-// status would flicker from tick to tick. If longer: an operator would see an old limit.
+// [s] The reported limit is cleared when no axis has been blocked for this time. Chosen. If
+// shorter: the status would change from tick to tick. If longer: an operator would see an old
+// limit.
 constexpr double kLimitHoldTime = 0.1;
-// [m], [rad] and [m/s], [rad/s]. The target is reached if all errors of pose and velocity are below
-// this value. Numerical tolerance.
+// [m], [rad] and [m/s], [rad/s]. The target is reached if all errors of the pose and all velocities
+// are below this value. Numerical tolerance.
 constexpr double kTargetTolerance = 1e-5;
 // [m] Displacement of a foot above which the pose is evaluated again, although the body is at its
 // target. Numerical tolerance: ten times kTargetTolerance.
 constexpr double kFootTolerance = 1e-4;
-// [m], [rad] Displacement with which probe_axis() tests an axis. Far above kTolerance of
+// [m], [rad] Largest displacement with which probe_axis() tests an axis. Far above kTolerance of
 // StanceKinematics, 1e-6 m.
 constexpr double kProbeStep = 1e-3;
 // [m], [rad] Largest magnitude of each coordinate of a target. Chosen: beyond any robot's reach.
@@ -91,8 +92,8 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   p_com_ += v_com_ * dt;
 }
 
-// Evaluate the present pose with the present feet. Set the centre of mass and violation_. The
-// violation of the next pose must not exceed violation_.
+// Evaluate the present pose with the present feet. Set the centre of mass, and violation_, which
+// the violation of the next pose must not exceed.
 void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                                        const Vector3& gravity) noexcept {
   const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);
@@ -109,7 +110,8 @@ void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& fee
 
 // Return whether the body may move to a pose, given like relative_pose_. If not, write the reason
 // to limit_. A pose outside the limits is acceptable if its violation is at most that of the
-// present pose. Without this rule, feet that a push has displaced could lock the body in place.
+// present pose. Without this rule, a push that displaces feet could put the present pose outside
+// the limits, and the body could not move any more.
 bool BodyMotion::check_pose(const Gains& gains, const Vector6& relative_pose,
                             const FeetMatrix& feet, const Vector3& gravity) noexcept {
   const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + relative_pose.head<3>(),
@@ -163,8 +165,9 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
   return change;
 }
 
-// Compute v / (2 a), the braking distance divided by the present speed. This time is half of the
-// braking time. The body comes to rest at relative_pose_ + velocity_ * v / (2 a).
+// Compute half of the braking time, v / (2 a), where v is the speed and a the acceleration gain.
+// The braking distance is v^2 / (2 a), so the body comes to rest at relative_pose_ + velocity_
+// times this time. The result is the larger one of translation and rotation.
 double BodyMotion::half_braking_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);

@@ -16,8 +16,9 @@ struct LatchedPose {
 /// Trajectory generator of the body pose, from the latched pose to a requested target.
 ///
 /// Gains limit speed and acceleration. In each tick ReachCheck tests the pose in which the body
-/// could come to rest. If the robot cannot stand in that pose, the body brakes. At a limit, the
-/// body still moves along the axes that are not blocked. Real-time: yes.
+/// could come to rest. If the robot cannot stand in that pose, the body brakes and the violated
+/// limit is reported. Then the body still moves along the axes that this limit does not block.
+/// Real-time: yes.
 class BodyMotion {
  public:
   explicit BodyMotion(const Robot& robot) : reach_check_(robot) {}

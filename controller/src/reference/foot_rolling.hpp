@@ -12,9 +12,10 @@ namespace surefoot {
 ///
 /// A loaded foot of radius r rotates with its shank. Without slip, its contact point then moves
 /// with velocity r (w x n), where w is the angular velocity of the shank and n the ground normal.
-/// The displacement is about a tenth of the body's displacement. The displacement decays within
-/// seconds: if the robot leans for longer, its present contact points become the reference. The
-/// displacement is also bounded, because w contains the errors of the gyroscope. Real-time: yes.
+/// The displacement of a contact point is about a tenth of the body's displacement. The stored
+/// displacement decays within seconds: if the robot leans for longer, its present contact points
+/// become the reference. The stored displacement is also bounded, because w contains the errors of
+/// the gyroscope. Real-time: yes.
 class FootRolling {
  public:
   explicit FootRolling(double radius) noexcept : radius_(radius) {}
@@ -43,8 +44,9 @@ class FootRolling {
   // second, and short enough that the present contact points of a leaning robot soon become the
   // reference.
   static constexpr double kDecayTime = 2.0;
-  // [rad] Largest rotation of a foot that is counted. Chosen larger than the rotation of the shanks
-  // in pushes that the robot survives, and small enough that errors of the gyroscope cannot add up.
+  // [rad] Bound of the displacement, divided by the radius of the foot: rotation of the shank.
+  // Chosen larger than the rotation of the shanks in pushes that the robot survives, and small
+  // enough that errors of the gyroscope cannot add up.
   static constexpr double kMaxAngle = 0.4;
 
   double radius_;

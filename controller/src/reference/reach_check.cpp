@@ -10,8 +10,8 @@ namespace surefoot {
 
 namespace {
 // [rad/m] Factor that converts the violation of a limit in metres to radians, so that it can be
-// compared with the violation of a joint limit. Derived: the inverse of the length of a link, 0.2 m
-// on a1, go1 and go2.
+// compared with the violation of a joint limit. Derived: the inverse of the length of a thigh or
+// shank, 0.20 to 0.21 m on a1, go1 and go2.
 constexpr double kViolationPerMetre = 5.0;
 }  // namespace
 
@@ -49,7 +49,7 @@ ReachResult ReachCheck::evaluate(const Gains& gains, const Vector3& p_base,
     const double shortfall = gains.reach_joint_margin - joint_margin;
     if (shortfall > worst.violation) worst = {{ReachLimit::kJoint, i}, shortfall};
   }
-  // ReachLimit::kFootHeight: depth of a foot below its hip axis.
+  // ReachLimit::kFootHeight: the depth of a foot below its hip axis is too small.
   for (int leg = 0; leg < kLegs; ++leg) {
     const double shortfall =
         kViolationPerMetre * (gains.reach_foot_depth - kinematics_.depth()[leg]);

@@ -11,8 +11,8 @@ namespace surefoot {
 
 namespace {
 
-// Unit h: height of the centre of mass above the feet. All values are chosen (git a363d66);
-// tests/closed_loop/test_recovery_steps.py covers them together.
+// Unit h: height of the centre of mass above the feet. All values are chosen, except where a
+// measurement is given; tests/closed_loop/test_recovery_steps.py covers them together.
 
 // A foot that has lost contact steps if the capture margin is below this share of the gain
 // edge_margin. If larger: feet step at weak pushes (test_no_foot_steps_at_a_75_percent_push). If
@@ -22,8 +22,8 @@ constexpr double kStepMarginShare = 0.65;
 // mass. Chosen larger than the sway of a standing robot, and smaller than the distance in pushes
 // that need a step.
 constexpr double kMovingDistance = 0.1;
-// Contact confidences, with hysteresis around 0.4. Below kOffGroundConfidence a foot has lifted
-// off. Above kContactConfidence a foot is loaded or has landed.
+// Contact confidences. Below kOffGroundConfidence a foot has lifted off. Above kContactConfidence a
+// foot is loaded or has landed. Between these values its phase does not change (hysteresis).
 constexpr double kOffGroundConfidence = 0.3;
 constexpr double kContactConfidence = 0.5;
 // [sqrt(h / g)] Time from the start of a step until the foot is pressed down, unloading included:
@@ -31,7 +31,7 @@ constexpr double kContactConfidence = 0.5;
 // moves too far away; in this time its distance from the support grows by a factor of
 // exp(0.6) = 1.8.
 constexpr double kSwingTime = 0.6;
-// [h] Height of a swing foot: 24 mm at h = 0.3 m. More than the displacement of the contact point
+// [h] Height of a swing foot: 24 mm at h = 0.3 m. Larger than the displacement of the contact point
 // by rolling of the foot.
 constexpr double kLiftHeight = 0.08;
 // [h] Depth of the foot's desired position below the ground at landing. A position below the ground
@@ -41,13 +41,14 @@ constexpr double kPressDepth = 0.1;
 // below 0 the robot tips over.
 constexpr double kMinMargin = 0.01;
 // [sqrt(g h)] Largest speed of a foot's desired position. Measured: at a latency of 20 ms a go2
-// survives 100 % of the pushes with this value, and 97.5 % with half of it (git b8a299d).
+// survives 100 % of the pushes with this value, and 97.5 % with half of this value (git b8a299d).
 constexpr double kFootSpeed = 2.0;
 // [s] Time constant with which the nominal position moves to a foot that has landed.
 // (kNominalFeetDriftTime in support_frame.cpp is for feet that have not stepped.) If shorter: the
-// references jump. Shorter than kSwingTime, so that the motion ends before the next foot lands.
+// references jump. Shorter than kSwingTime (0.1 s at h = 0.3 m), so that the nominal position has
+// moved before the next foot lands.
 constexpr double kFootReturnTime = 0.05;
-constexpr double kReturnTime = 0.2;  // [s] time constant of the foot offsets' decay after stop()
+constexpr double kReturnTime = 0.2;  // [s] time constant with which foot offsets decay in stop()
 
 // Return the height of the centre of mass above the feet. At least 0.05 m, as in capture_point().
 double height_over(const FeetMatrix& p_world_feet, const Dynamics& dynamics) noexcept {
@@ -139,8 +140,10 @@ void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
   phase_time_[leg] = 0.0;
 }
 
-// Detect lift-off and landing of a foot. From landing on, the desired position of the foot is the
-// place where it landed.
+// Update the phase of a foot. A foot swings when it has lost contact, while the body moves near a
+// support edge or while the foot is being unloaded. It returns to stance when it lands, or when
+// unloading has not lifted it off within kSwingTime. From then on its desired position is the place
+// where it stands.
 void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_nominal) noexcept {
   FootPhase& phase = phase_[leg];
   if (phase == FootPhase::kStance && body_moving_ && contact < kOffGroundConfidence &&

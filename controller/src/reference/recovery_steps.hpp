@@ -15,9 +15,9 @@ namespace surefoot {
 /// position. When the capture point is near a support edge, the stance feet can hardly brake any
 /// more, and feet step by the stride. The stride is the vector from the support origin to the
 /// capture point, times the edge proximity (0 far inside, 1 at the edge), limited to the gain
-/// foot_step. The stride is the same for all swing feet. A foot that has lost contact moves by the
-/// stride from its nominal position and is pressed to the ground. The foot stays where it lands,
-/// and its nominal position moves there.
+/// foot_step. The stride is the same for all swing feet. A foot that has lost contact moves from
+/// its nominal position by the stride, and is then pressed to the ground. The foot stays where it
+/// lands, and its nominal position moves there.
 ///
 /// When the capture point is outside, foot_to_lift() selects a loaded foot whose step brings the
 /// capture point back inside. This foot is unloaded and steps in the same way. Only one foot is
@@ -74,7 +74,8 @@ class RecoverySteps {
   double edge_proximity_ = 0.0;
   bool body_moving_ = false;  // true: the body moves (see kMovingDistance)
   std::array<FootPhase, kLegs> phase_{};
-  // True for each foot that failed to lift off; cleared when the capture point is inside again.
+  // True for each foot that failed to lift off, and is not selected again. All are cleared when the
+  // capture point is inside again.
   std::array<bool, kLegs> lift_failed_{};
   // [sqrt(h / g)] Time since the start of the step, unloading included.
   std::array<double, kLegs> phase_time_{};

@@ -12,9 +12,10 @@ namespace {
 // The constants are chosen. Tests: tests/closed_loop/test_external_lifts.py,
 // test_stand_reference.cpp.
 constexpr double kAirborneTime = 0.2;  // [s] time constant of airborne_share_
-// Airborne share above which recovery steps stop; it is reached after 0.32 s in the air. If
-// smaller: a fall from 10 cm, which lasts 0.14 s, would stop recovery steps. If larger: while a
-// person lifts the robot, a recovery step that presses a foot down would keep its leg stretched.
+// Airborne share above which recovery steps stop. The share reaches this value after 0.32 s in the
+// air. If smaller: a fall from 10 cm, which lasts 0.14 s, would stop recovery steps. If larger:
+// while a person lifts the robot, recovery steps would press feet down and stretch their legs for
+// longer.
 constexpr double kLiftedShare = 0.8;
 // Additional extension of airborne legs, as a share of the standing height. If smaller: the joints
 // have too little range left to brake a landing. If larger: the legs are nearly straight.
@@ -55,9 +56,9 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   three_leg_stance_.update(support_.nominal_feet(), motion_.p_com(), dt);
   update_airborne_share(contact, dt);
   Vector3 p_base = motion_.p_base();
-  // In the air, extend the legs, so that the joints have more range to brake a landing. With a
-  // greater height of the base above the support frame, follow_body() places the support frame
-  // lower, and the desired feet move with the frame.
+  // In the air, extend the legs, so that the joints have more range to brake a landing. For this,
+  // follow_body() gets a larger height of the base above the support frame. It then places the
+  // frame lower, and the desired feet, which are fixed in the frame, move down with it.
   p_base.z() *= 1.0 + kAirborneExtension;
   support_.follow_body(dynamics.p_world_base(), p_base, airborne_share_);
 
@@ -81,9 +82,9 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   return reference_;
 }
 
-// Set the reference of a lost leg's foot: no load, and its measured motion as desired motion. With
-// any other desired motion the QP would accelerate the lost leg, for example to get a reaction
-// force on the trunk. The leg has no torque, so there would be no such force.
+// Set the reference of a lost leg's foot: no load, and the measured motion as desired motion. With
+// any other desired motion the QP would plan to accelerate the lost leg, for example to get a
+// reaction force on the trunk. But the leg has no torque, so this force would not exist.
 void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   FootReference& foot = reference_.feet[leg];
   foot.stance = false;
@@ -92,9 +93,9 @@ void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   foot.v_world = dynamics.legs()[leg].v_world_contact;
 }
 
-// Update the airborne share. It is zero while the sum of the contact confidences is at least 1. It
-// falls at once on contact but rises slowly: a fast rise would move the desired feet away from the
-// real ones and accelerate the legs abruptly.
+// Update the airborne share. The share is zero while the sum of the contact confidences is at least
+// 1. It falls at once on contact but rises slowly: a fast rise would move the desired feet away
+// from the real feet, and would accelerate the legs abruptly.
 void StandReference::update_airborne_share(const Eigen::Vector4d& contact, double dt) noexcept {
   const double in_air = std::clamp(1.0 - contact.sum(), 0.0, 1.0);
   const double filtered = airborne_share_ + dt / (dt + kAirborneTime) * (in_air - airborne_share_);

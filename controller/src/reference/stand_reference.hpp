@@ -13,10 +13,10 @@ namespace surefoot {
 /// Reference for standing: the latched pose of the body, or a pose that a BodyReference requests
 /// relative to the latched pose.
 ///
-/// Base pose, centre of mass and nominal foot positions are kept in the support frame, which is
+/// The references of base pose, centre of mass and feet are kept in the support frame, which is
 /// fitted to the feet. The pose of this frame relative to the body depends only on the joint angles
 /// and, for a few seconds, on the rolling of the feet. Slow errors of the IMU move the frame and
-/// the body together, so they cannot make the robot lean.
+/// the body together, so these errors cannot make the robot lean.
 ///
 /// While no foot is loaded, the frame follows the body, and the legs extend beyond the standing
 /// pose by kAirborneExtension. When the capture point is near a support edge, feet step
@@ -59,8 +59,8 @@ class StandReference {
   FootRolling foot_rolling_;
   RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
-  // 0: a foot is loaded. Near 1: all feet have been in the air for longer than kAirborneTime. Each
-  // tick moves the support frame towards the body by this share.
+  // 0: at least one foot is in contact. Near 1: all feet have been in the air for much longer than
+  // kAirborneTime. Each tick moves the support frame towards the body by this share.
   double airborne_share_ = 0.0;
   Reference reference_;
 };

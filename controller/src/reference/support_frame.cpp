@@ -8,19 +8,19 @@ namespace surefoot {
 
 namespace {
 
-// [s] Time constant of the ground normal. Chosen longer than a push of 0.1 s, whose foot motion is
-// not a slope, and shorter than the motion of ground that tilts under the robot (surefoot.sim
-// moving_ground).
+// [s] Time constant of the ground normal. Chosen longer than a push of 0.1 s, in which feet move
+// without a change of the slope, and shorter than the motion of ground that tilts under the robot
+// (moving_ground of surefoot.sim).
 constexpr double kGroundTime = 0.5;
-// [s] For this time after the latch, the ground normal follows the feet without delay. The
-// estimator's attitude still converges then, and its corrections must not move the body. Chosen
-// with robots that start on slopes (git a8e6a2e).
+// [s] For this time after the latch, the ground normal follows the feet without delay. In this time
+// the estimator's attitude still converges, and its corrections must not move the body. Chosen with
+// robots that start on slopes (git a8e6a2e).
 constexpr double kInitialTime = 0.15;
 // [s] Time constant with which nominal positions follow loaded feet. Chosen equal to kGroundTime.
 constexpr double kNominalFeetDriftTime = 0.5;
-// [m^2] Regularisation. Two feet do not determine the tilt about the line through them; the old
-// tilt about this line then stays. Numerical: small against the spread of the feet, about 0.02 m^2
-// (0.15 m squared).
+// [m^2] Regularisation in update_normal(). If only two feet are loaded, they do not determine the
+// tilt about the line through them; with the regularisation the old tilt about this line stays.
+// Numerical: small against the spread of the feet, about 0.02 m^2 (0.15 m squared).
 constexpr double kSlopeRegularisation = 1e-4;
 // [m^2] Regularisation in update_nominal_feet(), where only the residual of the fit is used.
 // Numerical: small against the spread of the feet.
@@ -115,9 +115,9 @@ void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix&
 // Move the nominal positions towards the feet. Then move the frame so that its origin is again at
 // the centroid of the nominal positions, and its x axis along their heading.
 //
-// A common tilt of all feet comes from the IMU or the ground; update_normal() corrects it over
-// time. The remaining part of this tilt is subtracted here, because otherwise the nominal positions
-// would slowly absorb the tilt.
+// A common tilt of all feet against the frame comes from the IMU or the ground, and update_normal()
+// tilts the frame over time. The part of this tilt that remains is subtracted from the deviation,
+// because otherwise the nominal positions would slowly absorb the tilt.
 void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
                                        const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);

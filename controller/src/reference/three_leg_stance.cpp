@@ -7,15 +7,17 @@ namespace surefoot {
 
 namespace {
 
-// Chosen; covered by tests/closed_loop/test_lost_leg.py.
+// The constants are chosen; tests/closed_loop/test_lost_leg.py covers them.
+//
 // The centre of mass keeps a distance from the long edge of the support triangle, which is the
 // diagonal between the neighbours of the lost leg. The constant is this distance as a share of the
-// triangle's inradius. If smaller: the robot tips over the long edge. At most 1: there the shift of
-// the body is largest, and the legs have the least reach left.
+// triangle's inradius. If smaller: the robot tips over the long edge. If larger: the body shifts
+// further, and the legs have less reach left. At 1 the centre of mass is as far from this edge as
+// the incentre.
 constexpr double kInradiusShare = 0.5;
 // [s] Time constant of the shift. If shorter: the body jerks. If much longer: the robot falls over
-// the long edge first. The fall grows with a time constant of sqrt(h / g), 0.17 s at h = 0.3 m. It
-// begins slowly, because the centre of mass is near this edge.
+// the long edge before the shift is done. The fall grows with a time constant of sqrt(h / g), 0.17
+// s at h = 0.3 m, and begins slowly, because the centre of mass is near this edge.
 constexpr double kShiftTime = 0.2;
 
 }  // namespace

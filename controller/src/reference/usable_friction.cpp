@@ -12,11 +12,10 @@ namespace {
 
 // Share of RobotConfig::friction that a foot may use while the capture point is at least
 // kEdgeDistance inside the support polygon. Measured: with 1, a push of half the push limit made
-// feet slide by centimetres on floors with friction 0.5 and 0.6 (git 19c79ff). If smaller: when a
-// push begins, braking needs more friction than the share allows until the share has risen.
+// feet slide by centimetres on floors with friction 0.5 and 0.6 (git 19c79ff). If smaller: at the
+// beginning of a push, braking needs more friction than this share allows.
 constexpr double kNominalShare = 0.7;
-// [s] Assumed remaining duration of a push. Derived: the duration of the pushes of `surefoot
-// assess`.
+// [s] Assumed remaining duration of a push. Derived: the pushes of `surefoot assess` last as long.
 constexpr double kRemainingPushTime = 0.1;
 // [1/s] Rate at which the share falls. Derived: from 1 to kNominalShare in 0.1 s. With an immediate
 // fall the torques jumped at the end of a push (git 326d016).
@@ -26,6 +25,7 @@ constexpr double kDecayRate = 3.0;
 // friction.
 constexpr double kEdgeDistance = 0.06;
 
+// Compute the share of the friction that the capture margin requires, kNominalShare .. 1.
 double required_share(const Dynamics& dynamics, const RobotState& state, const Reference& reference,
                       double mass) noexcept {
   const Vector3 dv_com = kRemainingPushTime / mass * state.f_external;

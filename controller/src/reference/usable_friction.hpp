@@ -10,10 +10,10 @@ namespace surefoot {
 ///
 /// The ground may have less friction than RobotConfig::friction. Feet that use the whole friction
 /// cone would then slip. So the share is 0.7 while the capture point is far inside the support
-/// polygon, and rises to 1 as the capture point approaches a support edge. The smaller margin of
-/// two capture points counts: the present one, and the one after 0.1 s more of the present external
-/// force. The share rises at once. It falls over 0.1 s, because a sudden fall would make the
-/// contact forces jump. Real-time: yes.
+/// polygon, and rises to 1 as the capture point approaches a support edge. The capture margin is
+/// the smaller one of two: at the present velocity, and at the velocity after 0.1 s more of the
+/// present external force. The share rises at once. It falls from 1 to 0.7 over 0.1 s, because a
+/// sudden fall would make the contact forces jump. Real-time: yes.
 class UsableFriction {
  public:
   /// Compute the shares of this tick.

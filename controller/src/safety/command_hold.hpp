@@ -6,12 +6,12 @@
 
 namespace surefoot {
 
-/// Command hold: continues for a short time when there is no good command, then latches damping.
+/// Command hold: bridges a short time without a good command, then latches damping.
 ///
-/// Until kHoldTime after the last good command, it repeats this command or sends a fallback
-/// command. After that it latches damping: the motor drivers then brake by themselves (Kd > 0,
-/// dq = 0), even if this process dies. Before the first good command it damps without latching.
-/// Real-time: yes.
+/// Until kHoldTime after the last good command, the command hold repeats this command or returns a
+/// fallback command. After that it latches damping: the motor drivers then brake by themselves
+/// (Kd > 0, dq = 0), even if this process dies. Before the first good command it returns damping
+/// without latching. Real-time: yes.
 class CommandHold {
  public:
   /// Store and return the good command of this tick. The age becomes 0.

@@ -12,9 +12,9 @@ namespace surefoot {
 
 namespace {
 
-// Number of iterations. The first iteration distributes the change of the wrench. Each further
-// iteration distributes the part of the wrench that clamping has removed. Chosen. If smaller: not
-// enough for feet at their friction cones. If larger: too slow for a tick.
+// Number of iterations of add_wrench(). The first iteration distributes the change of the wrench.
+// Each further iteration distributes the part of the wrench that clamping has removed. Chosen. If
+// smaller: not enough for feet at their friction cones. If larger: too slow for a tick.
 constexpr int kShareIterations = 10;
 
 Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double friction,
@@ -106,7 +106,8 @@ bool FallbackChain::try_forces(const Dynamics& dynamics, const RobotState& state
   return try_torques(torques, state);
 }
 
-// Accept all twelve torques or none, because a part of the torques alone would push the robot over.
+// Clip the torques to the motor limits and store them, if all twelve are finite. Otherwise reject
+// all twelve, because a part of the torques alone would push the robot over.
 bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state) noexcept {
   const RobotConfig& config = robot_.config();
   Vector12 clipped;

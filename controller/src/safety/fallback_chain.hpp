@@ -17,7 +17,7 @@ struct PlannedForces {
 };
 
 /// The levels of the fallback chain that need no QP. They compute torques from the present state
-/// after both solves have failed.
+/// after both solves of the QP have failed, the usual solve and the cold solve.
 ///
 /// These levels ignore custom tasks. CommandHold limits the time for which their commands may act.
 /// Real-time: yes.
@@ -31,7 +31,7 @@ class FallbackChain {
   void remember(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                 const Reference& reference, const FeetMatrix& forces) noexcept;
 
-  /// Compute the torques of the first level that gives twelve finite torques:
+  /// Compute the torques of the first level, in this order, that gives twelve finite torques:
   ///   kForces:     tau = h_leg - J_leg^T f, where f are the forces of the last solution plus the
   ///                change of the desired wrench since then, shared by add_wrench(). So torques
   ///                do not jump while constraints are active. Without a last solution, f
@@ -74,7 +74,7 @@ struct ForceCones {
 };
 
 /// Change contact forces so that their wrench about the centre of mass changes by `wrench_change`.
-/// The changes df_i of the forces are as small as possible:
+/// The changes df_i of the forces are as small as possible, weighted with the shares:
 ///   minimise    sum |df_i|^2 / share_i
 ///   subject to  sum df_i = force,  sum (p_i - p_com) x df_i = moment   of wrench_change
 /// Then each force is clamped to its cone. Nine more iterations distribute the part of the wrench

@@ -17,8 +17,8 @@ struct PowerLine {
   double at(double s) const noexcept { return (a + s * b).cwiseAbs().sum(); }
 };
 
-// Return the s with the smallest power. The power is convex and piecewise linear in s, so it is
-// smallest at an end of [0, 1] or at a kink. A kink is where the power of a motor changes its sign.
+// Return the s in [0, 1] with the smallest power. The power is convex and piecewise linear in s, so
+// it is smallest at an end of [0, 1] or at a kink: an s at which a_i + s b_i of a motor is zero.
 double min_power_scale(const PowerLine& line) noexcept {
   double best = 0.0;
   const auto consider = [&](double s) {

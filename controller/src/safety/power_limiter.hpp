@@ -8,9 +8,9 @@ namespace surefoot {
 /// Torques within a power limit, and the scale that limited them.
 struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
-  double scale = 1.0;                   ///< the factor s; 1: desired torques, 0: holding torques
+  double scale = 1.0;                   ///< s of limit_power(); 1: desired, 0: holding torques
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
-  /// True if the power exceeds the limit for every s, or if a number is not finite.
+  /// True if the power exceeds the limit for every s in [0, 1], or if a number is not finite.
   bool limit_exceeded = false;
 };
 

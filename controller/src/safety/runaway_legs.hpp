@@ -11,17 +11,17 @@ namespace surefoot {
 /// Detector of runaway legs: predicts how much the power of a leg will rise.
 ///
 /// A leg whose foot slips off or loses contact can, within 15 ms, take as much power as is allowed
-/// for all four legs. A limit on the present power would act too late, because the power is
+/// for all four legs. A limit on the measured power would act too late, because the power is
 /// measured 5 ms late and the command acts another 5 ms later. So the class extrapolates the joint
-/// velocities. Real-time: yes.
+/// velocities by 15 ms. Real-time: yes.
 class RunawayLegs {
  public:
   /// Update the joint accelerations; call it once per tick.
   /// @param dq joint velocities, shape (12,), motor order [rad/s]
   /// @param dt time since the last call [s]
   void update(const Vector12& dq, double dt) noexcept {
-    // Over a step of kMaxStep or more the acceleration is unknown; TickClock returns kMaxStep for a
-    // confirmed jump. A velocity step of kMaxSpeedStep or more is a sensor error.
+    // Over a time step of kMaxStep or more the acceleration is unknown; TickClock returns kMaxStep
+    // for a confirmed jump. A change of velocity by kMaxSpeedStep or more is a sensor error.
     const bool is_continuous = has_dq_ && dt > 0.0 && dt < TickClock::kMaxStep;
     if (is_continuous && (dq - dq_).cwiseAbs().maxCoeff() < kMaxSpeedStep) {
       ddq_ += dt / (dt + kSmoothingTime) * ((dq - dq_) / dt - ddq_);
@@ -51,9 +51,9 @@ class RunawayLegs {
   static constexpr double kLookahead = 0.015;
   // [s] Time constant of the filter against encoder noise. Derived: one period at 500 Hz.
   static constexpr double kSmoothingTime = 0.002;
-  // [rad/s] Largest change of a joint velocity in one period. Chosen larger than the 0.8 rad/s that
-  // a runaway leg reached in 2 ms (400 rad/s^2), and smaller than the error of a wrong sample.
-  // Test: test_runaway_legs.cpp.
+  // [rad/s] Change of a joint velocity in one period from which the velocity is wrong. Chosen
+  // larger than the 0.8 rad/s by which the velocity of a runaway leg changed in 2 ms (400 rad/s^2),
+  // and smaller than the error of a wrong sample. Test: test_runaway_legs.cpp.
   static constexpr double kMaxSpeedStep = 5.0;
 
   Vector12 dq_ = Vector12::Zero();   // [rad/s]

@@ -8,8 +8,8 @@ namespace surefoot {
 
 namespace {
 
-// Measured on the vendor's library: each call with a power above the limit raises a counter by one,
-// and each other call lowers it by one.
+// Counter of the SDK's PowerProtect, measured on the vendor's library: each call with a power above
+// the limit raises the counter by one, and each other call lowers it by one.
 constexpr int kTripCount = 5;  // the protection trips above this count
 constexpr int kMaxCount = 10;  // largest value of the counter
 constexpr int kMaxLevel = 10;  // largest level of the SDK's PowerProtect
@@ -47,7 +47,7 @@ int Safety::position_protect(const LowCmd&, const LowState& state, double limit)
   position_angle_ = 0.0;
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
-    // With this form of the condition, a NaN angle or a NaN limit counts as outside.
+    // Both comparisons are false for NaN. So an angle or a limit that is NaN counts as outside.
     if (q >= q_lower_[i] + limit && q <= q_upper_[i] - limit) continue;
     position_motor_ = i;
     position_angle_ = q;

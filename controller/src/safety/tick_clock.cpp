@@ -9,12 +9,13 @@ namespace {
 
 // [s] Numerical: tolerance for the rounding of summed periods, which are whole milliseconds.
 constexpr double kRounding = 1e-9;
-// [periods] Longest step that is not a jump. Chosen shorter than the step of a clock that has
-// jumped. If smaller: samples lost by a slow loop count as a jump. Test: test_tick_clock.cpp.
+// [periods] A step of at most this many periods is never a jump. Chosen. If smaller: samples that a
+// slow loop loses count as a jump. If larger: the jump of a clock is accepted. Test:
+// test_tick_clock.cpp.
 constexpr double kJumpPeriods = 5.0;
 
 // Return the time [s] from one tick to another, negative if `to` is earlier. The unsigned
-// subtraction wraps around in the same way as the counter.
+// subtraction and the counter both wrap around at 2^32, so the difference is right.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
   return 1e-3 * static_cast<std::int32_t>(to - from);
 }

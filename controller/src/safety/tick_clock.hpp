@@ -20,14 +20,13 @@ class TickClock {
   /// @return time since the last good tick [s]; 0 for the first tick; negative for a bad tick
   double advance(std::uint32_t tick) noexcept;
 
-  /// Result of the last advance() [s]; for a confirmed jump, the full time since the last good
-  /// tick. 0 for a bad tick and for the first tick.
+  /// Time [s] from the last good tick to the tick of the last advance(), also for a confirmed jump.
+  /// 0 for a bad tick and for the first tick.
   double gap() const noexcept { return gap_; }
 
-  /// Period of the samples [s], at most kMaxStep: the second longest of the last four steps. So a
-  /// short step after jitter does not let an old command act longer, and one lost sample does not
-  /// make the command age twice as fast. Callers also use this period as the duration of a bad
-  /// tick.
+  /// Period of the samples [s], at most kMaxStep: the second longest of the last four steps. So one
+  /// long step (a lost sample) or up to two short steps (jitter) do not change the result. Callers
+  /// also use this period as the duration of a bad tick, by which a held command grows older.
   double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(jump_threshold_); }
@@ -39,11 +38,11 @@ class TickClock {
   static constexpr double kJumpTime = 0.100;
 
  private:
-  double jump_threshold_;  // [s] longest step that is not a jump
+  double jump_threshold_;  // [s] constructor argument `jump`
   bool started_ = false;
   bool jump_pending_ = false;
   std::uint32_t last_tick_ = 0;
-  std::uint32_t jump_tick_ = 0;
+  std::uint32_t jump_tick_ = 0;  // tick after the jump that waits for confirmation
   double gap_ = 0.0;
   // [s] The last four steps; the initial value is the period at 500 Hz.
   std::array<double, 4> recent_steps_ = {0.002, 0.002, 0.002, 0.002};

@@ -13,9 +13,9 @@ namespace surefoot {
 
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-// [s] Time over which the damping of a lost leg fades in, so that the leg does not jerk. Chosen. At
-// 500 Hz torques change by at most 9.5 % of their limit per period, so they need 21 ms to reach the
-// limit. If larger: the leg sags. Test: tests/closed_loop/test_lost_leg.py.
+// [s] Time over which the damping of a lost leg fades in, so that the leg does not jerk. Chosen
+// about equal to 21 ms, in which TorqueRateLimiter (9.5 % of tau_max in 2 ms) lets a torque fall
+// from tau_max to 0. If larger: the leg sags. Test: tests/closed_loop/test_lost_leg.py.
 constexpr double kFadeTime = 0.02;
 
 // Round to a float towards zero: rounding up could exceed the torque limit.
@@ -44,9 +44,9 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   const auto limit_power_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
-    // The power limit scales towards the holding torques, so the holding torques must be within the
-    // torque limits. The torque limits at zero speed are used, because a wrong speed measurement
-    // must not drop the robot.
+    // The power limit scales the torques towards the holding torques, so the holding torques must
+    // be within the torque limits. The torque limits at zero speed are used, because a wrong speed
+    // measurement must not take away the torques that hold the robot.
     for (int i = 0; i < kMotors; ++i) {
       const double limit = torque_share_[i] * robot_.config().tau_max[i];
       hold[i] = std::clamp(hold[i], -limit, limit);  // NaN stays NaN
@@ -54,13 +54,13 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
     limited_ = limit_power(tau, hold, dq, watts, damping_);
   };
   limit_power_to(state.contact, power_limit_);
-  // If no scale satisfies the limit, scale towards torques that hold the robot on all four feet. A
-  // foot that is unloaded for a moment carries its share of the load again when the other legs
-  // yield.
+  // If no scale satisfies the power limit, scale towards torques that hold the robot on all four
+  // feet. A foot that is unloaded for a moment carries its share of the load again when the other
+  // legs yield.
   if (limited_.limit_exceeded) limit_power_to(Eigen::Vector4d::Ones(), power_limit_);
-  // If these holding torques alone exceed the limit, do not scale the command: a robot with too
-  // little torque falls, and its motors then take several times that power. The power protection is
-  // then the only limit.
+  // If these holding torques alone exceed the power limit, do not scale the command: with too
+  // little torque the robot would fall, and its motors would take several times as much power in
+  // the fall. The power protection is then the only limit.
   if (limited_.limit_exceeded) limit_power_to(state.contact, kUnlimited);
   const bool any_leg_limited = limit_runaway_legs(dq);
   if (limited_.scale == 1.0 && !any_leg_limited) return false;
@@ -79,10 +79,10 @@ Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {
   return dq;
 }
 
-// Limit the torques of runaway legs after all other limits, even to less than the holding torques:
-// the power of one leg may rise by at most a quarter of the power limit. The rise is extrapolated
-// from the estimated joint velocities of this sample; `dq` may be predicted over the delay. Return
-// whether a leg was limited.
+// Limit the torques of runaway legs, even to less than the holding torques: the power of one leg
+// may rise by at most a quarter of the power limit. The rise is extrapolated from the estimated
+// joint velocities of this sample. `dq` may be predicted over the delay, and is used only for the
+// damping torques and limited_.power. Return whether a leg was limited.
 bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   const double share = power_limit_ / kLegs;
   const Vector12 total_torque = limited_.torques - damping_ * dq;

@@ -11,7 +11,8 @@
 namespace surefoot {
 
 /// Return a command with these torques [N.m], motor order. Motors with kd = 0 are in pure torque
-/// mode; the others also get motor-side damping (Kd = kd [N.m.s/rad], dq = 0). Real-time: yes.
+/// mode. Motors with kd > 0 also get motor-side damping (Kd = kd [N.m.s/rad], dq = 0). Real-time:
+/// yes.
 LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 
 /// Converts the torques of the QP or of the fallback chain to a LowCmd in torque mode.
@@ -40,8 +41,9 @@ class TorqueCommand {
   Status set_torques(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
                      const Reference& reference, const Gains& gains) noexcept;
 
-  /// Do the same for torques `tau` in motor order that do not come from a Solution.
-  /// @param tau [N.m]
+  /// Set the torques for the next command() to `tau`, for torques that do not come from a Solution,
+  /// and limit their power in the same way.
+  /// @param tau motor order [N.m]
   /// @param damping motor-side damping [N.m.s/rad], added to the option motor_damping
   /// @return whether the torques were limited
   bool set_torques(const Vector12& tau, double damping, const Dynamics& dynamics,

@@ -6,7 +6,7 @@
 namespace surefoot {
 
 namespace {
-// Number of stored commands; derived: more than a delay of kMaxDelay contains at 1 kHz.
+// Number of stored commands. Derived: more than the 50 commands in kMaxDelay at 1 kHz.
 constexpr int kCapacity = 64;
 // [periods] Delay that is assumed if StandOptions::delay is 0. Derived: a sample is one period old
 // when it arrives, and the command computed from it acts one period later.
@@ -50,7 +50,7 @@ RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   dv_.setZero();
   dq_ = delay_ * state.v;
   // Go backwards from the newest command. Each command acts until the next command begins to act.
-  // `end` is the time after `state` [s] at which the present command of the loop ends.
+  // `end` is the time after `state` [s] at which command k stops acting.
   double end = delay_;
   for (int k = 1; k <= count_ && end > 0.0; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];

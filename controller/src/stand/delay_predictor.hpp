@@ -24,8 +24,8 @@ struct SentCommand {
 /// Real-time: all functions except the constructor.
 class DelayPredictor {
  public:
-  /// [s] Largest `delay`. Chosen longer than the delay of a robot's link, and within the memory for
-  /// sent commands.
+  /// [s] Largest `delay`. Chosen longer than the delay of a robot's link. At 1 kHz it contains 50
+  /// commands; the buffer holds 64 (kCapacity).
   static constexpr double kMaxDelay = 0.05;
 
   /// @param delay time [s] from a measurement until the command computed from it acts
@@ -46,8 +46,8 @@ class DelayPredictor {
               const Vector3& f_push) noexcept;
 
   /// Return the command that acted when the newest sample was measured, or null if no command
-  /// acted. With a delay of 0, one period is assumed for the way of the sample and one for that of
-  /// the command.
+  /// acted. If `delay` is 0, two periods are assumed: one until the sample arrives, and one until
+  /// the command acts.
   /// @param period time between two commands [s]
   const SentCommand* acting_command(double period) const noexcept;
 

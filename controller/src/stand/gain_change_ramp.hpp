@@ -13,7 +13,7 @@ namespace surefoot {
 /// Real-time: yes.
 class GainChangeRamp {
  public:
-  /// [s] Duration of the ramp. Chosen. If shorter: torques jump, because the ramp has few ticks. If
+  /// [s] Duration of the ramp. Chosen. If shorter: torques change in few ticks and so jump. If
   /// longer: an operator waits too long for the change.
   static constexpr double kRampTime = 0.1;
 

@@ -8,8 +8,9 @@ namespace surefoot {
 
 namespace {
 
-// Number of ticks that latch the pose. Chosen: three. The second and the third latch correct the
-// contact points, which depend on the ground normal only through the radius of the soles.
+// Number of ticks that latch the pose. Chosen: the second and the third latch correct the contact
+// points. Two corrections suffice, because the contact points depend on the ground normal only
+// through the radius of the soles.
 constexpr int kPoseLatches = 3;
 
 const Robot& require_twelve_joints(const Robot& robot) {
@@ -46,9 +47,9 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   // longer valid: latch damping.
   const bool robot_timed_out = step > 0.0 && clock.gap() > kRobotWatchdogTime;
   const double elapsed = robot_timed_out ? clock.gap() : step > 0.0 ? step : clock.period();
-  // The next estimate also covers the time of unusable samples. A tick counter that repeats, runs
-  // backwards or jumps (step < 0) adds no time, because the clock measures the next good tick from
-  // the last good tick.
+  // The next estimate also covers the time of unusable samples. A sample whose tick repeats, runs
+  // backwards or jumps (step < 0) adds no time here, because the clock measures the step of the
+  // next good tick from the last good tick.
   if (step >= 0.0) {
     time_since_estimate += elapsed;
     predictor.advance(elapsed);
@@ -62,7 +63,8 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
     status = estimate_and_solve(low_state, std::min(time_since_estimate, TickClock::kMaxStep));
   }
   // After a divergence the estimator starts again, and the latched reference does not fit the new
-  // estimate. An elapsed time of 100 ms makes the command hold latch damping at once.
+  // estimate. So damping must be latched at once: an elapsed time of 100 ms, longer than kHoldTime,
+  // makes the command hold do this.
   const LowCmd& command =
       select_command(status, status == Status::kDiverged ? kRobotWatchdogTime : elapsed);
   ++fallback_counts[static_cast<int>(fallback_level)];
@@ -85,8 +87,8 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   if (!command_hold.in_control()) fallback_level = FallbackLevel::kDamping;
   if (is_fresh(fallback_level)) {
     // A fallback command causes about the motion of the last solution. If the power limit scales
-    // the torques, the motion is scaled by the same factor. That a limited runaway leg moves less
-    // is neglected, because its foot carries no load.
+    // the torques, the motion is scaled by the same factor. A runaway leg whose torques are limited
+    // moves less than recorded; this error is neglected, because its foot carries no load.
     const LimitedTorques& sent = torque_command.limited();
     predictor.record(controller.solution().accelerations, sent.scale, sent.torques,
                      state.f_external - state.f_sustained);
@@ -97,7 +99,7 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
 // Estimate the state, update the reference and solve the QP.
 Status StandController::Impl::estimate_and_solve(const LowState& low_state, double dt) noexcept {
   // Only the first pose latch needs the quaternion of the IMU. A standing robot continues without
-  // it.
+  // a quaternion.
   if (pose_latches == 0 && !has_unit_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const SentCommand* acting_command = predictor.acting_command(clock.period());
   if (acting_command != nullptr) {
@@ -155,7 +157,8 @@ Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& 
   return solution.status;
 }
 
-// Compute torques without the QP, and limit their power in the same way.
+// Compute torques with the fallback chain, without the QP, and limit their power like that of a
+// solution.
 void StandController::Impl::compute_fallback(const Dynamics& dynamics, const RobotState& used_state,
                                              const Reference& desired) noexcept {
   const Gains& gains = controller.gains();

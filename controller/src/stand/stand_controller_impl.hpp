@@ -15,8 +15,8 @@
 
 namespace surefoot {
 
-/// One tick, from LowState to LowCmd: estimates the state, updates the reference, solves the QP,
-/// limits the torques, and chooses the command to send.
+/// Components of the StandController, and its tick: estimate the state from a LowState, update the
+/// reference, solve the QP, limit the torques, and choose the LowCmd to send.
 struct StandController::Impl {
   Impl(const Robot& r, const Gains& g, const StandOptions& o);
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from surefoot._core import LowState, StandController, WholeBodyController, is_usable
 from surefoot.bench.peers.problem import Problem
 
-WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3  # columns of Ticks; FORCES and TORQUES are the first columns
+# Columns of Ticks. FORCES is the first column of the forces, TORQUES the first of the torques.
+WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3
 TORQUES = FORCES + 12
 Ticks = NDArray[np.float64]
 """One row per tick: wall time [ns], CPU time [ns], solved, forces (12) [N], torques [N.m]."""

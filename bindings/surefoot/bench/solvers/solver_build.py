@@ -15,8 +15,9 @@ from surefoot.bench.solvers.solver_paths import PEERS_VARIABLE, cmake_definition
 
 CASADI, EIQUADPROG = "CASADI_DIR", "EIQUADPROG_PREFIX"
 # CMake variables that each solver needs; _WHEELS has the package that provides each variable. The
-# casadi wheel contains the libraries and headers of DAQP, qpOASES, OSQP, HPIPM and PIQP. The
-# adapters call these solvers directly, without CasADi's interface.
+# casadi wheel contains the libraries and headers of DAQP, OSQP, HPIPM and PIQP, and the adapters
+# call these solvers directly. It contains qpOASES without headers, so the adapter of qpOASES calls
+# casadi::conic.
 SOLVERS: dict[str, tuple[str, ...]] = {
     "surefoot": ("EIGEN_INCLUDE",),
     "proxqp": ("EIGEN_INCLUDE", "PROXSUITE_INCLUDE"),

@@ -37,8 +37,9 @@ class SolverFiles:
 def describe_solver(program: Path) -> dict[str, str]:
     """Return the texts that an executable reports about its solver.
 
-    "interface" is the language of the solver's API, "version" and "settings" are those of the
-    solver, and "warm_start" states what the solver keeps from one tick to the next.
+    "interface" is the language of the API through which the solver is called. "version" and
+    "settings" are those of the solver. "warm_start" states what the solver keeps from one tick to
+    the next.
     """
     done = subprocess.run([program, "describe"], capture_output=True, text=True, check=False)
     names = ("name", "interface", "version", "settings", "warm_start")

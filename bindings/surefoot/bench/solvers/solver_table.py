@@ -27,7 +27,7 @@ NOTE = (
     "solver reports a failure,\nor crashed. wrong: primal residual, dual residual or "
     "complementarity of the answer above {accepted:g}; the benchmark\ncomputes them in the same "
     "way for all solvers. undetected: reported as solved but wrong. cpu: CPU time of the\nthread, "
-    "which includes the reading of the clock. interface: language of the solver's API."
+    "which includes the reading of the clock. interface: language of the API that is called."
 )
 
 

@@ -39,8 +39,8 @@ class TickOverflow(Fault):
     """The robot's clock overflows soon after the fault begins.
 
     Args:
-        bits: Number of bits after which the counter overflows: 32. 31 tests a reader that stores
-            the tick as a signed number.
+        bits: Number of bits after which the counter overflows. 32: the true size of the counter.
+            31: the tick reaches 2^31, where a reader that stores it as a signed number fails.
     """
 
     uses_frames = True

@@ -9,9 +9,9 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.robot.power_level import power_level
 
 WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's PowerProtect; Safety::kWattsPerLevel
-# [rad/s] Reported speed of the calf motors. Chosen: at a lower speed, the same power would need
-# torques beyond the plausible range of a LowState. The speed limits of the motors are higher
-# (15 rad/s and more).
+# [rad/s] Reported speed of the calf motors. Chosen: below the speed limits of the motors (15 rad/s
+# and more). At a lower speed, the same power would need torques beyond the plausible range of a
+# LowState.
 CALF_SPEED = 5.0
 
 

@@ -13,8 +13,8 @@ from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
 # All times are chosen; longer times cost run time (495 cells per robot take 4 to 11 minutes).
-# [s] Time of observation after the motors damp, or after the robot lies. Longer than the fade of
-# the torques (TorqueFade, 0.25 s), in which damping motors could wrongly get torque again.
+# [s] Time of observation after the motors damp, or after the robot lies. Longer than TorqueFade
+# (0.25 s): an error in this fade could give torque to damping motors again.
 SETTLED_TIME = 0.6
 # [s] Time of observing a standing robot, or of waiting until it damps. Longer than most detection
 # times in fault_table().

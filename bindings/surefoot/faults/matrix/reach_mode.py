@@ -7,12 +7,13 @@ from surefoot.faults.matrix.scenario import Scenario
 from surefoot.sim import Push
 
 RISE_REQUESTED = "rise requested"  # mode in which the fault begins right after the request to rise
-# The numbers are chosen; docs/reference/fault-injection.md lists them.
-# Share of the rise at which a fault begins. There the legs carry the body, and the rise goes on.
+# The following numbers are chosen; docs/reference/fault-injection.md lists them.
+# Progress of the rise (0 .. 1) at which a fault begins: the legs carry the body and still raise it.
 RISE_FRACTION = 0.4
 RISE_TIME = 15.0  # [s] longest rise with folding; median 7 to 10 s (benchmarks/get_up.py)
-SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; the torques fade for 0.25 s
-PUSH_FRACTION = 0.4  # impulse as a share of the LIP push limit; survived in place without a fault
+SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; includes TorqueFade (0.25 s)
+# Impulse of the push as a share of the LIP push limit. A healthy robot survives this push in place.
+PUSH_FRACTION = 0.4
 PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; time from its start to the fault
 
 

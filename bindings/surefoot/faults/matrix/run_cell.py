@@ -50,7 +50,7 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
             scenario, RISE_REQUESTED if _may_be_detected_on_rise(scenario, cell) else cell.mode
         )
     if _may_be_detected_on_rise(scenario, cell) and not scenario.armed and scenario.arming_failures:
-        # The failed arming checks name the fault. This is as good as a detection during the rise.
+        # The failed arming checks name the fault, which counts as a detection during the rise.
         return _record(scenario, cell, Observation(), scenario.monitor.violations())
     observed = Observation() if problem else observe(scenario, cell.expectation, cell.mode)
     problems = [problem] if problem else deviations(observed, cell.expectation, cell.mode, height)

@@ -134,7 +134,7 @@ class Scenario:
 
         A standing robot first sinks to the ground with damping motors, for up to 3 s.
         """
-        # Longest time [s], chosen: 3 s of sinking, 1 s of arming_time, and a margin.
+        # The limit of 6 s is chosen: 3 s of sinking, 1 s of arming_time, and a margin of 2 s.
         for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()

@@ -7,8 +7,9 @@ from surefoot.faults.expectation import WATCH, table_expectation
 from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.signals import AttitudeFault, RandomAttitudeFault, SignalFault
 
-# Both faults have the same cause. A standing robot continues without the quaternion, with the fault
-# "quaternion". A rising robot cannot continue without it, so there the fault is "attitude".
+# Faults that the supervisor reports for a wrong quaternion. A standing robot continues without the
+# quaternion, and the fault is "quaternion". A rising robot cannot continue without the quaternion,
+# and the fault is "attitude".
 QUATERNION_FAULT, ATTITUDE_FAULT = table_expectation("quaternion"), table_expectation("attitude")
 intermittent = inject.intermittent
 

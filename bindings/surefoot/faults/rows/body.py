@@ -15,9 +15,9 @@ DAMP_AFTER_FALL = expect_damp(table_expectation("tilt").within)
 # 552 W, measured with benchmarks/external_lifts.py.
 LANDING_LEVEL = 10
 
-# The numbers are chosen. In spite of the changes in `model_mismatch` and `ground`, the robot must
-# continue. In `payload` the payload exceeds payload_limit. The argument delay of
-# table_expectation() is the time [s] until the robot stands or until the injection has an effect.
+# The numbers are chosen. The robot must tolerate the changes in `model_mismatch` and `ground`. In
+# `payload` the payload exceeds payload_limit. The argument delay of table_expectation() is the time
+# [s] until the robot stands or until the injection has an effect.
 MODEL_ROWS = (
     Row(
         "model_mismatch",

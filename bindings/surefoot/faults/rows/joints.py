@@ -13,7 +13,8 @@ intermittent = inject.intermittent
 
 # JointMonitor allows an angle to change, between two samples, by 0.08 rad more than the measured
 # velocity explains. No motor exceeds 31 rad/s (models/*.toml), and check_low_state() rejects more
-# than twice this velocity. Noise of 1 rad/s is 20 times the noise of the measured velocities.
+# than twice the speed limit of a motor. Noise of 1 rad/s is 20 times the noise of real encoders
+# (VELOCITY_NOISE, 0.05 rad/s).
 ROWS = (
     Row(
         "joint_limit",

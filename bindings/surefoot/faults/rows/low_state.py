@@ -25,7 +25,8 @@ def _stuck_leg() -> CombinedFault:
     return CombinedFault(*(SignalFault(name, inject.stuck(), FL_LEG) for name in ("q", "dq")))
 
 
-# The slowest known rate at which a robot sends new values is 50 Hz (RepeatedSample).
+# The slowest known rate at which a robot sends new values is 50 Hz (class RepeatedSample of the
+# supervisor).
 ROWS = (
     Row(
         "nan_in_state",

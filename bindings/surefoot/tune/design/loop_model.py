@@ -21,10 +21,10 @@ _MAX_STEP = 0.0005
 _FORCE_FILTER_TIME = 0.005  # [s] filter time of the ground forces computed from torques
 # Constants of the PushObserver, copied from
 # controller/src/estimator/external_wrench/push_observer.cpp:
-# - _NOISE_BANDS (kNoiseLevel): innovation above which the filter time is shortened, as a multiple of
-#   push_dead_band;
-# - _HALVING_BANDS (kHalvingLevel): amount by which the innovation must exceed this value to halve the
-#   filter time, as a multiple of push_dead_band;
+# - _NOISE_BANDS (kNoiseLevel): innovation above which the filter time is shortened, as a multiple
+#   of push_dead_band;
+# - _HALVING_BANDS (kHalvingLevel): amount by which the innovation must exceed this value to halve
+#   the filter time, as a multiple of push_dead_band;
 # - _MIN_TIME_RATIO (kMinTimeScale): shortest filter time as a share of push_time;
 # - _MAX_SURPRISE_TIME [s] (kMaxInnovationTime): limit of surprise_time, the duration of large
 #   innovations; only below this limit, large innovations shorten the filter time;
@@ -41,7 +41,7 @@ _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DEC
 # (solreffriction, solimpfriction) b is 2 / (0.95 * 20 ms) and the impedance is 0.9.
 _FRICTION_RATE, _FRICTION_IMPEDANCE = 2.0 / (0.95 * 0.02), 0.9
 # States of the loop. Line 1: position, velocity, acceleration that the motors cause, acceleration;
-# then the values of x, v, a at the last sample (1) and at the sample before (2). Line 2: planned
+# then x, v, a at the last sample (1), and v, a at the sample before (2). Line 2: planned
 # acceleration of the base, newest first ("made", "planned_base1", "planned_base2"); then the states
 # of the push and payload observers. In the state vector, the commands in flight follow after these
 # states, newest first.

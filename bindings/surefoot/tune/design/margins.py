@@ -25,7 +25,7 @@ FREQUENCY_SEARCH_RANGE = (0.2, 40.0)
 _RUN_TIME, _END_WINDOW, _START_WINDOW = 2.4, 0.4, 0.2
 # Largest ratio of the peak-to-peak acceleration in the last window to that in the first window, for
 # which an oscillation counts as decayed. Chosen: larger than the ratio that remains after friction
-# has stopped the motion. With a larger value, a slowly growing oscillation would count as decayed.
+# has stopped the motion. With a larger value, a slow oscillation would count as decayed.
 _DECAY_RATIO = 0.05
 # Numerical: rounding of the eigenvalues of an integrator, whose radius is 1.
 _STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable

@@ -22,8 +22,8 @@ PUSH_LIMIT_SHARE = 0.35, 0.8
 # The following ranges of robots and grounds are chosen, not measured on real ones.
 MAX_PAYLOAD_SHARE = 0.2  # greatest payload as a share of the robot's mass
 FRICTION_RANGE = 0.5, 1.0  # range of the friction coefficient of the ground
-# [physics steps] Greatest additional delay of commands. Chosen: 8 ms (8 times COARSE_DT), so that the
-# gains found keep a delay margin.
+# [physics steps] Greatest additional delay of commands. Chosen: 8 ms (8 times COARSE_DT), so that
+# the gains found keep a delay margin.
 MAX_DELAY_STEPS = 8
 MOTOR_LAG_RANGE = 0.001, 0.004  # [s] range of the time constant of the motor torque
 JOINT_FRICTION_RANGE = 0.5, 2.0  # range of the factor on the joint friction of the model

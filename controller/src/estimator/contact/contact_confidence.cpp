@@ -11,14 +11,14 @@ namespace {
 // Votes range from -1 (off the ground) to 1 (loaded). All values are chosen unless stated; see
 // docs/explanation/estimator.md, Contact. Tests: test_contact.cpp, benchmarks/estimation.
 //
-// Two sources agree if their loads differ by less than this share of the weight. Larger than the
-// noise and the model errors of the torques, smaller than 0.25, the load of one foot.
+// Two sources agree if their loads of a foot differ by less than this share of the weight. Larger
+// than the noise and the model errors of the torques, smaller than 0.25, the load of one foot.
 constexpr double kMaxLoadDifference = 0.15;
 // [s] footForceEst is excluded after it has contradicted the torques for this time. Equal to
 // kDetectionTime of ForceSourceCheck.
 constexpr double kDetectionTime = 0.3;
-// Rate at which contradiction_time falls while there is no contradiction. During a contradiction it
-// rises at rate 1.
+// [s/s] Rate at which contradiction_time falls while there is no contradiction. During a
+// contradiction it rises at rate 1.
 constexpr double kRecoveryRate = 0.25;
 // [s] Forces count as unavailable after no force source has voted for this time. Longer than pauses
 // in the votes of up to kDetectionTime. If larger: a foot whose sensors are dead stays out of
@@ -33,22 +33,23 @@ constexpr double kRestSpeed = 0.1;
 // twice this clearance. If smaller: a loaded foot that rises on soft ground votes against contact.
 // If larger: a lift is detected late.
 constexpr double kClearanceThreshold = 0.006;
-// Magnitude of the vote against contact of a fast foot. Chosen small, because a loaded foot may
-// slide.
+// Magnitude of the vote against contact that a speed above kMovingSpeed gives. Chosen small,
+// because a loaded foot may slide.
 constexpr double kSlideVote = 0.33;
-// Weight of the motion of a foot. A rising foot is off the ground, whatever force its sensors show.
-// So the weight is larger than that of one other source (1), but not larger than that of two.
+// Weight of the source foot motion. A rising foot is off the ground, whatever force its sensors
+// show. So the weight is larger than that of one other source (1), but not larger than that of two.
 constexpr double kMotionWeight = 2.0;
-// Weight of torques that match the accelerometer. Above 1: if two sources contradict each other,
-// the mean vote is then 0.06 instead of 0, and the confidence changes slowly.
+// Weight of torques that match the accelerometer. Above 1: if torques and one other source
+// contradict each other, the mean vote is 0.06 in favour of the torques instead of 0, and the
+// confidence changes slowly.
 constexpr double kBalancedWeight = 1.12;
 constexpr double kConfirmingVote = 0.5;  // magnitude above which a vote confirms footForceEst
-// Magnitude of the mean vote above which the confidence changes. Chosen below 0.06, the mean vote
-// of two contradicting sources (see kBalancedWeight).
+// Magnitude of the mean vote above which the confidence changes. Below 0.06, the mean vote of two
+// contradicting sources (see kBalancedWeight).
 constexpr double kMinAgreement = 0.04;
 // Rate of change of the confidence, in units of 1 / contact_dwell, divided by the mean vote.
-// Derived: the rate is 1 if two of three sources vote 1 and the third votes -1: the mean vote is
-// then 1/3.
+// Derived: if two of three sources vote 1 and the third votes -1, the mean vote is 1/3 and the rate
+// shall be 1.
 constexpr double kAgreementGain = 3.0;
 
 constexpr int kFootForceEstIndex = static_cast<int>(ContactSource::kFootForceEst);
@@ -63,9 +64,10 @@ ContactEvidence motion_evidence(double speed, double clearance) noexcept {
   return {-std::max(speed > kMovingSpeed ? kSlideVote : 0.0, risen), SensorVerdict::kGood};
 }
 
-// Return whether footForceEst and footForce of a foot count as one source. They do if both are
-// constant and show no load while the torques show load. Then both have one common cause: either
-// they failed together, or the foot is in the air and its leg presses against something.
+// Return whether footForceEst (`est`) and footForce (`count`) of a foot count as one source. They
+// do if both are constant and show no load while the torques show load. The two votes then have one
+// common cause: either both sensors have failed together, or the foot is in the air and its leg
+// presses against something.
 bool fields_fail_together(const ContactEvidence& est, bool est_unchanged,
                           const ContactEvidence& count, bool count_unchanged,
                           const ContactEvidence& tau) noexcept {
@@ -116,11 +118,11 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
   const double tau_load = torques_are_good ? signals.torque_load[leg] : NAN;
   const double load = signals.foot_force_est[leg] / weight_;
   SensorVerdict verdict = foot.est_stuck.update(signals.foot_force_est[leg], tau_load, dt);
-  // An external lift of a foot loads the leg as the ground does. So torques alone do not refute
-  // footForceEst if footForce or the clearance of the foot confirms it.
+  // A person who lifts a foot loads the leg as the ground does. So a contradiction by the torques
+  // does not count if footForce or the motion of the foot confirms footForceEst.
   // `loads_differ`: the limit for large loads is half of the load (chosen), because torques have
   // scale errors. `signs_differ`: footForceEst shows a clear load (twice the threshold), but the
-  // torques show a pull.
+  // torques show a force that pulls the foot towards the ground (a negative load).
   const bool loads_differ =
       std::abs(load - tau_load) > std::max(kMaxLoadDifference, 0.5 * std::abs(tau_load));
   const bool signs_differ = load > 2.0 * gains.contact_force_on && tau_load < 0.0;

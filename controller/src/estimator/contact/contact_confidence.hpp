@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// Measurements of one tick that tell whether the feet are in contact.
+/// Measurements of one tick from which contact is judged. Legs in the order FR FL RR RL.
 struct ContactSignals {
   /// Load / weight of each foot, from joint torques.
   Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();
@@ -15,8 +15,8 @@ struct ContactSignals {
   std::array<std::int16_t, kLegs> foot_force{};         ///< [counts]
   Eigen::Vector4d speed = Eigen::Vector4d::Zero();      ///< [m/s] SlipDetector::excess_speed()
   Eigen::Vector4d clearance = Eigen::Vector4d::Zero();  ///< [m] see FootClearance
-  /// Vertical specific force / g. For a robot on its feet it equals the sum of all loads, divided
-  /// by the weight.
+  /// Vertical specific force / g. For a robot on its feet it equals the sum of the normal forces,
+  /// divided by the weight.
   double load_factor = 1.0;
 };
 
@@ -25,9 +25,9 @@ struct ContactSignals {
 /// Each source votes from -1 (off the ground) to 1 (loaded). The confidence integrates the weighted
 /// mean vote. If all sources agree, the confidence moves from 0 to 1 within the gain contact_dwell.
 /// So a single wrong sample changes the confidence by one step only, and two sources that
-/// contradict each other leave it unchanged. One exception: torques get a slightly larger weight
-/// while the sum of their loads matches the accelerometer, so a contradiction is then slowly
-/// decided in favour of the torques. Real-time: yes.
+/// contradict each other leave it unchanged. Exception: while the sum of the loads from the torques
+/// matches the accelerometer, the torques have a slightly larger weight. A contradiction is then
+/// slowly decided in favour of the torques. Real-time: yes.
 class ContactConfidence {
  public:
   /// @param weight weight of the robot [N]
@@ -53,7 +53,9 @@ class ContactConfidence {
     FootForceCalibration calibration;
     // [s] Rises while footForceEst contradicts the torques, and falls otherwise.
     double contradiction_time = 0.0;
-    bool loaded = true;  // contact state that selects the threshold (hysteresis)
+    // Contact state: becomes true at confidence 1 and false at confidence 0. It selects the
+    // threshold of load_vote().
+    bool loaded = true;
     double no_force_time =
         std::numeric_limits<double>::infinity();  // [s] time since the last force vote
   };

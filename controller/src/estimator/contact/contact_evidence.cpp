@@ -8,13 +8,13 @@
 namespace surefoot {
 
 namespace {
-// [s] Duration of a constant value above which the value can be a fault. Chosen. Longer than
-// 0.022 s, the time for which a 50 Hz sensor repeats a value. If larger: a stuck sensor reports
-// contact of a lifted foot for longer.
+// [s] Duration from which a constant value can be a fault. Chosen. Longer than 0.022 s, the time
+// for which a 50 Hz sensor may repeat a value. If larger: a stuck sensor reports contact of a
+// lifted foot for longer.
 constexpr double kStuckTime = 0.1;
-// Load change, as a share of the weight, for which a working sensor must change its value. Chosen
-// larger than contact_force_on (0.07) and the noise of the torques, and smaller than 0.25, the load
-// of one foot.
+// Load change of the foot, as a share of the weight, above which a working sensor must change its
+// value. Chosen larger than contact_force_on (0.07) and the noise of the torques, and smaller than
+// 0.25, the load of one foot.
 constexpr double kMinLoadChange = 0.1;
 // [counts] A sensor counts as saturated from this value on. Derived: just below 32767, the range of
 // int16.

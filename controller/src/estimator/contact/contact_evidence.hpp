@@ -15,7 +15,7 @@ struct ContactEvidence {
 /// Convert a load to a vote, -1 .. 1: tanh((load - threshold) / max(width, load_sigma)). Threshold
 /// and width are the gains contact_force_*. Real-time: yes.
 /// @param load normal force of the foot, as a share of the robot's weight
-/// @param load_sigma standard deviation of `load`
+/// @param load_sigma uncertainty of `load`: 0, or two standard deviations of its noise
 /// @param loaded present contact state; it selects the threshold contact_force_off (true) or
 ///   contact_force_on (false), for hysteresis
 double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept;
@@ -30,13 +30,13 @@ class StuckDetector {
   /// @param load load from another source, as a share of the weight; NaN if there is no other
   ///   source
   SensorVerdict update(int value, double load, double dt) noexcept;
-  /// Return whether the value has been constant for longer than the noise of a working sensor
-  /// allows.
+  /// Return whether the value has been constant for longer than that of a working sensor, whose
+  /// noise changes the value.
   bool is_unchanged() const noexcept { return unchanged_time_ > kMinUnchangedTime; }
 
  private:
-  // [s] Time limit of is_unchanged(). Chosen: two repeated samples at 500 Hz. Noise changes the
-  // count of a working sensor more often.
+  // [s] Time limit of is_unchanged(). Chosen: two repeated samples at 500 Hz (4 ms) exceed it.
+  // Noise changes the value of a working sensor more often.
   static constexpr double kMinUnchangedTime = 0.003;
   int last_ = 0;
   bool started_ = false, ever_nonzero_ = false;

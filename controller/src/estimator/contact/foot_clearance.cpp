@@ -10,8 +10,8 @@ namespace {
 // [m/s] Speed below which a foot is at rest. Larger than the velocity noise of the joints, smaller
 // than the speed of a lifted foot.
 constexpr double kRestSpeed = 0.03;
-// Rate at which the rest time falls during motion; at rest it rises at rate 1. If smaller: 50 ms of
-// motion do not clear a rest time of 1 s. If larger: one noisy sample clears it.
+// [s/s] Rate at which rest_time_ falls during motion; at rest it rises at rate 1. If smaller: 50 ms
+// of motion do not clear a rest time of 1 s. If larger: one noisy sample clears the rest time.
 constexpr double kRestTimeDecay = 20.0;
 // [s] A foot loses its stance height after it has been unloaded for this time. Longer than a few
 // wrong samples (contact_dwell, 10 ms), shorter than a step.
@@ -25,7 +25,7 @@ constexpr double kNewStanceTime = 1.0;
 // [s] Time constant with which the stance height follows the foot. If smaller: the height follows
 // vibration. Shorter than kNewStanceTime.
 constexpr double kFollowTime = 0.2;
-// Contact confidence above which a foot stands. Derived: contact is more likely than not.
+// Contact confidence above which a foot stands. Chosen: half-way between off the ground and loaded.
 constexpr double kStanceConfidence = 0.5;
 }  // namespace
 
@@ -47,8 +47,8 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
     unloaded_time_[leg] = loaded[leg] ? 0.0 : unloaded_time_[leg] + dt;
     if (unloaded_time_[leg] > kMinSwingTime) stance_height_[leg] = NAN;
     if ((landing || std::isnan(stance_height_[leg])) && loaded[leg]) stance_height_[leg] = height;
-    // The upper bound of the rest time is chosen so that 25 ms of motion bring the rest time below
-    // kNewStanceTime (0.5 kNewStanceTime / kRestTimeDecay).
+    // The upper bound of the rest time is chosen: from this bound, 25 ms of motion bring the rest
+    // time below kNewStanceTime (0.5 kNewStanceTime / kRestTimeDecay).
     const bool at_rest = v_contact.col(leg).norm() < kRestSpeed && loaded[leg];
     rest_time_[leg] = std::clamp(rest_time_[leg] + (at_rest ? dt : -kRestTimeDecay * dt), 0.0,
                                  1.5 * kNewStanceTime);
@@ -56,10 +56,11 @@ void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filt
       stance_height_[leg] += dt / (dt + kFollowTime) * (height - stance_height_[leg]);
     height_change[leg] = std::isnan(stance_height_[leg]) ? 0.0 : height - stance_height_[leg];
   }
-  // The clearance is the height above the plane of the three other feet, where errors of base tilt
-  // and height cancel. But if the diagonal foot rises, this plane falls by the same amount at the
-  // present foot, which would look like a rise of the present foot. So the plane is taken no lower
-  // than the mean height change of the three feet.
+  // The clearance is the height change of a foot, relative to the plane through the height changes
+  // of the three other feet; errors of base tilt and height cancel in this difference. But if the
+  // diagonal foot rises, this plane falls by the same amount at the present foot, which would look
+  // like a rise of the present foot. So the plane counts as at least as high as the mean height
+  // change of the three other feet.
   for (int leg = 0; leg < kLegs; ++leg) {
     const int lateral = lateral_neighbor(leg), longitudinal = longitudinal_neighbor(leg),
               opposite = diagonal_leg(leg);

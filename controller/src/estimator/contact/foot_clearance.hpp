@@ -13,10 +13,11 @@ namespace surefoot {
 /// base tilt and height cancel. While one of these three feet does not stand, the last value is
 /// kept.
 ///
-/// The stance height of a foot is discarded after 30 ms without load, and set again when the foot
-/// is loaded again. Until three feet have been loaded for 50 ms, the stance heights follow the
-/// loaded feet. So neither a step onto a stone nor a landing counts as a rise. After 1 s at rest,
-/// the stance height of a loaded foot follows the foot; flat ground is not assumed.
+/// The stance height of a foot is the height of the place where it last stood. It is discarded
+/// after 30 ms without load, and set again when the foot is loaded again. Until three feet have
+/// been loaded for 50 ms, the stance heights follow the loaded feet. So neither a step onto a stone
+/// nor a landing counts as a rise. After 1 s at rest, the stance height of a loaded foot follows
+/// the foot. The ground need not be flat.
 ///
 /// A loaded foot may slide, but it does not rise. So a foot is off the ground if its clearance
 /// exceeds what soft ground can yield. Real-time: yes.

@@ -9,11 +9,11 @@ namespace surefoot {
 namespace {
 // Fit of counts = offset + scale load. All values are chosen. Test: test_contact.cpp.
 //
-// [s] Time constant of the low-pass, which keeps noise from counting as a load change. Longer than
-// single samples, shorter than a step.
+// [s] Time constant of the low-pass of counts and load, so that noise does not count as a load
+// change. Longer than single samples, shorter than a step of the robot.
 constexpr double kFilterTime = 0.02;
-// [s] Time constant of the offset. Longer than load changes. Shorter than a minute, because the
-// counts drift within a minute.
+// [s] Time constant of the means from which the offset is computed. Longer than load changes.
+// Shorter than a minute, because the counts drift within a minute.
 constexpr double kOffsetTime = 5.0;
 constexpr double kNoiseSamples = 500.0;  // number of samples in the noise average: 1 s at 500 Hz
 // [s] Time constant of the scale, counted only while the load changes. If smaller: the fit is
@@ -24,18 +24,19 @@ constexpr double kScaleTime = 2.0;
 constexpr double kMinLoadChange = 0.04;
 // [s] Total time of changing load after which the fit is used: five times kFilterTime.
 constexpr double kMinFitTime = 0.1;
-// Coefficients of determination r^2. Above kMinExplained the fit is good. Below kMaxUncorrelated
-// the counts do not follow the load. Between these values the verdict is kUnjudged.
+// Coefficients of determination r^2 of the fit. Above kMinExplained the fit is good. Below
+// kMaxUncorrelated the counts do not follow the load. Between these values the verdict is
+// kUnjudged.
 constexpr double kMinExplained = 0.5;
 constexpr double kMaxUncorrelated = 0.2;
 // [s] Time constant with which the observed range shrinks: twice kOffsetTime.
 constexpr double kRangeTime = 10.0;
-// Smallest range from which a load is computed: in standard deviations of the noise (4 to either
-// side), and in counts (quantisation).
+// The load is computed from the observed range only if the range is at least kRangeNoise standard
+// deviations of the noise (four to either side), and at least kMinRange counts (quantisation).
 constexpr double kRangeNoise = 8.0;
 constexpr double kMinRange = 5.0;
-// Load that is assumed at the top of the range, as a share of the weight. Between 0.25, the load of
-// one of four stance feet, and 0.5, the load of one of two diagonal stance feet.
+// Load that is assumed at the top of the observed range, as a share of the weight. Between 0.25,
+// the load of one of four stance feet, and 0.5, the load of one of two diagonal stance feet.
 constexpr double kLoadAtMaxCount = 0.4;
 }  // namespace
 
@@ -66,8 +67,8 @@ ContactEvidence FootForceCalibration::update(const Gains& gains, int count, doub
   return out;
 }
 
-// Update the noise variance from the difference of two counts. Equal counts are skipped, because a
-// sensor that is slower than the samples repeats its last value.
+// Update the noise variance from the difference of two counts, which has twice this variance. Equal
+// counts are skipped, because a sensor that is slower than the samples repeats its last value.
 void FootForceCalibration::measure_noise(double count) noexcept {
   if (count == last_count_) return;
   samples_ = std::min(samples_ + 1.0, kNoiseSamples);

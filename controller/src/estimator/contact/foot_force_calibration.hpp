@@ -10,8 +10,8 @@ namespace surefoot {
 /// The model is count = offset + scale load + noise. While another source measures the load, offset
 /// and scale come from a least-squares line with exponential forgetting. The scale is updated only
 /// while the load changes. Without another source, or until this fit is good, the load comes from
-/// the observed range of counts, whose bottom is zero load. If the counts do not follow the load,
-/// the sensor has no vote. Real-time: yes.
+/// the observed range of counts: the smallest count is taken as zero load. If the counts do not
+/// follow the load, the sensor has no vote. Real-time: yes.
 class FootForceCalibration {
  public:
   /// Process one sample and return the evidence.
@@ -41,10 +41,11 @@ class FootForceCalibration {
   double samples_ = 0.0;                           // number of samples in noise_
   double smooth_count_ = 0.0, smooth_load_ = 0.0;  // low-passed with kFilterTime
   double mean_count_ = 0.0, mean_load_ = 0.0;      // low-passed with kOffsetTime
-  // Sums of the fit, taken only while the load changes.
+  // Sums of the fit over the time of changing load [s]: time; squared deviations of load and of
+  // counts from their means; product of both deviations.
   double fit_time_ = 0.0, spread_load_ = 0.0, spread_count_ = 0.0, covariance_ = 0.0;
   double scale_ = 0.0;
-  double min_count_ = 0.0, max_count_ = 0.0;  // [counts]
+  double min_count_ = 0.0, max_count_ = 0.0;  // [counts] observed range
 };
 
 }  // namespace surefoot

@@ -7,10 +7,10 @@
 namespace surefoot {
 
 namespace {
-// [s] footForceEst changes between working and failed after a contradiction of this duration.
-// Chosen. If smaller: impacts and stray samples change the verdict
-// (test_stray_count_does_not_revive_a_dead_foot_force). If larger: a dead source decides about
-// contact for longer.
+// [s] The verdict on footForceEst changes between working and failed after the sums have
+// contradicted the present verdict for this time. Chosen. If smaller: impacts and stray samples
+// change the verdict (test_stray_count_does_not_revive_a_dead_foot_force). If larger: a dead source
+// influences the contact confidence for longer.
 constexpr double kSwitchTime = 0.1;
 // Limits of the sum of the loads, as shares of the weight. Chosen: the sum is 1 for a standing
 // robot, and 0 for a lifted robot or a dead sensor.
@@ -18,12 +18,12 @@ constexpr double kUnloadedShare = 0.25;  // below: footForceEst shows no load
 constexpr double kSupportedShare = 0.5;  // above: the feet carry the robot
 constexpr double kMaxLoad = 2.0;         // above: impossible while standing
 // Limits of the error of a sum, as shares of the load that the accelerometer implies. Chosen: one
-// foot carries a quarter. Between the two limits the sum is neither right nor wrong.
+// foot of four carries a quarter. Between the two limits the sum is neither right nor wrong.
 constexpr double kBalanceTolerance = 0.25;  // below: the sum matches the accelerometer
 constexpr double kTorqueErrorShare = 0.5;   // above: the torques are wrong
 // [s] Torques count as wrong after an error of this duration, and as right again after the same
 // time without error. Chosen. Longer than a push of 0.1 s, during which torques and accelerometer
-// differ. If larger: wrong torques decide about contact for longer.
+// differ. If larger: wrong torques influence the contact confidence for longer.
 constexpr double kDetectionTime = 0.3;
 }  // namespace
 

@@ -18,9 +18,10 @@ struct ForceSums {
 /// accelerometer.
 ///
 /// footForceEst works once it has shown a load on the feet that the torques confirm. Without
-/// torques, a plausible share of the weight is enough. The torques are wrong if footForceEst
-/// matches the load that the accelerometer implies, but the torques do not. In the air all sums are
-/// zero, so no verdict changes. Real-time: yes.
+/// torques, a load between half and twice the weight is enough. footForceEst has failed if it shows
+/// no load while the torques do. The torques are wrong if footForceEst matches the load that the
+/// accelerometer implies, but the torques do not. In the air all sums are zero, so no verdict
+/// changes. Real-time: yes.
 class ForceSourceCheck {
  public:
   /// Process one tick.

@@ -6,8 +6,8 @@
 namespace surefoot {
 
 namespace {
-// [N] A larger force is ignored, because the leg must be singular. Chosen far larger than any
-// robot's weight.
+// [N] A larger force is ignored, because only a singular leg can give it. Chosen far larger than
+// any robot's weight.
 constexpr double kMaxForce = 1e4;
 // [rad] Distance to a stop below which a joint may rest on the stop. Chosen larger than the elastic
 // deflection of a stop. If larger: joints of standing poses near a limit would count as resting on
@@ -36,7 +36,8 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     residual += blend * (unfiltered_residual - residual);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
-    Vector3 tau_contact = L.M_leg * ddq - residual;  // equals J^T f plus the torques of the stops
+    // J^T f plus the torques of the stops. A torque of the sign that the stop exerts is removed.
+    Vector3 tau_contact = L.M_leg * ddq - residual;
     tau_contact =
         (stops.segment<3>(3 * leg).array() * tau_contact.array() < 0.0).select(0.0, tau_contact);
     const Vector3 force = L.J_leg.transpose().inverse() * tau_contact;

@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// Return for each joint on which stop it may rest: 1 upper, -1 lower, 0 none. SDK motor order.
+/// Return for each joint the stop on which it may rest: 1 upper, -1 lower, 0 none. SDK motor order.
 /// @param q joint angles, SDK motor order [rad]
 Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 
@@ -18,9 +18,9 @@ Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 /// measured by the IMU. It needs no joint accelerations, and its forces lag by kFilterTime.
 ///
 /// Torque that a joint may exert against its own stop is not attributed to the ground. Otherwise a
-/// lifted robot could stay in false contact: the weight of its legs extends them to the stops, the
-/// controller presses a supposed stance leg onto its stops, and this torque looks like a contact
-/// force. Real-time: yes.
+/// lifted robot could stay in false contact: the weight of the legs extends them to the stops, the
+/// controller presses a leg that it takes for a stance leg onto its stops, and this torque looks
+/// like a contact force. Real-time: yes.
 class LegForces {
  public:
   /// [s] Time constant of the momentum observer. Chosen. If smaller: the forces contain the encoder
@@ -46,8 +46,8 @@ class LegForces {
 
  private:
   bool started_ = false;
-  Vector12 residual_ = Vector12::Zero();     // tau - h - M_bl^T a_b, filtered [N.m]
-  Vector12 dq_filtered_ = Vector12::Zero();  // filtered [rad/s]
+  Vector12 residual_ = Vector12::Zero();     // [N.m] tau - h - M_bl^T a_b, filtered
+  Vector12 dq_filtered_ = Vector12::Zero();  // [rad/s] joint velocities, filtered
   FeetMatrix forces_ = FeetMatrix::Zero();
 };
 

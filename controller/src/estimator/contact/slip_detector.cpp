@@ -21,7 +21,8 @@ constexpr double kDetectionTime = 0.02;
 // within the same push, and the foot slips again. If larger: the friction is still reduced when the
 // robot needs it for the next push.
 constexpr double kRecoveryTime = 0.5;
-// Contact confidence above which a foot counts as loaded. Derived: contact is more likely than not.
+// Contact confidence above which a foot counts as loaded. Chosen: half-way between off the ground
+// and loaded.
 constexpr double kLoadedConfidence = 0.5;
 }  // namespace
 

@@ -9,7 +9,7 @@ namespace {
 constexpr double kStuckTime = 0.1;
 }  // namespace
 
-// If all twelve torques are exactly zero, the robot does not fill the field tauEst: verdict kZero.
+// If all twelve torques are exactly zero, the robot does not send torques: verdict kZero.
 void TorqueCheck::update(const Vector12& tau_est, bool others_changed, double dt) noexcept {
   const bool unchanged = tau_est == last_tau_;
   unchanged_time_ = unchanged ? unchanged_time_ + (others_changed ? dt : 0.0) : 0.0;

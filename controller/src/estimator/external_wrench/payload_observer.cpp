@@ -10,8 +10,8 @@ namespace {
 // [m/s] Speed of the centre of mass below which the robot is at rest. Chosen larger than the
 // velocity noise of a standing robot, and smaller than the velocity after a push.
 constexpr double kRestSpeed = 0.1;
-// [m] Largest moment of the estimate, divided by its largest force. Chosen: a payload within 0.1 m
-// of the centre of mass (docs/explanation/estimator.md, payload_max).
+// [m] Bound of the estimated moment, divided by the bound of the estimated force. Chosen: a payload
+// within 0.1 m of the centre of mass (docs/explanation/estimator.md, payload_max).
 constexpr double kMaxLever = 0.1;
 
 Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
@@ -53,9 +53,9 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   reset_momentum(gains, linear, angular);
 }
 
-// Set the integrated momentum to the value for which the estimate, at the present momentum, is the
-// present wrench. This prevents wind-up at the bounds, and a transient after a time without
-// support.
+// Set the predicted momentum to the value with which the present momentum gives the present
+// estimate of the wrench again. This prevents wind-up at the bounds, and a transient after a time
+// without support.
 void PayloadObserver::reset_momentum(const Gains& gains, const Vector3& linear,
                                      const Vector3& angular) noexcept {
   linear_momentum_ = linear - gains.payload_time * force_;
@@ -65,7 +65,7 @@ void PayloadObserver::reset_momentum(const Gains& gains, const Vector3& linear,
 // A payload of mass m_p at r from the model's centre of mass causes the moment N = r x (-m_p g z).
 // It shifts the centre of mass by m_p r / (m + m_p).
 Vector3 PayloadObserver::com_shift() const noexcept {
-  // Numerical: under an external lift the estimated payload can be as negative as -mass_.
+  // Numerical: under an external lift the estimated payload can be -mass_, and the total mass 0.
   const double total = std::max(mass_ + mass(), 0.1 * mass_);
   return Vector3(moment_.y(), -moment_.x(), 0.0) / (kGravity * total);
 }

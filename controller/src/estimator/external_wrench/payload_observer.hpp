@@ -46,7 +46,7 @@ class PayloadObserver {
 
   double mass_;
   bool started_ = false;
-  // Momentum predicted from contact forces, gravity and the estimated wrench.
+  // [N.s], [N.m.s] Momentum predicted from contact forces, gravity and the estimated wrench.
   Vector3 linear_momentum_ = Vector3::Zero(), angular_momentum_ = Vector3::Zero();
   Vector3 force_ = Vector3::Zero(), moment_ = Vector3::Zero();
 };

@@ -6,21 +6,23 @@
 namespace surefoot {
 
 namespace {
-// Innovation below which the difference is noise or a model error, in units of the gain
-// push_dead_band: 1.5 m/s^2 by default. kNoiseLevel, kHalvingLevel and kMinTimeScale are chosen
-// with pushes from 16 directions (git a0e3774): with them a go1 survived 100 % instead of 97.5 % of
-// its limit.
+// kNoiseLevel, kHalvingLevel and kMinTimeScale are chosen with pushes from 16 directions (git
+// a0e3774): with these values a go1 survived 100 % of its push limit, without them 97.5 %.
+//
+// An innovation below this value is noise or a model error. In units of the gain push_dead_band:
+// 1.5 m/s^2 by default.
 constexpr double kNoiseLevel = 3.0;
-// Excess over kNoiseLevel at which the time constant is halved, in units of push_dead_band.
+// Excess of the innovation over kNoiseLevel at which the time constant is halved. In units of
+// push_dead_band.
 constexpr double kHalvingLevel = 1.0;
-// Shortest time constant, in units of push_time: 6 ms by default. If smaller: at 4 ms the torques
-// of a b1 exceeded the supervisor's limit of the torque rate (measured, git e0f1814). If 1: the
-// time constant is never shortened. With 6 ms at 500 Hz, one wrong sample moves the estimate by a
-// quarter of the error of the sample.
+// Shortest time constant, in units of push_time: 6 ms by default. Measured: at 4 ms the torques of
+// a b1 exceeded the supervisor's limit of the torque rate (git e0f1814). With 1, the time constant
+// would never be shortened. With 6 ms at 500 Hz, one wrong sample moves the estimate by a quarter
+// of the error of the sample.
 constexpr double kMinTimeScale = 3.0 / 8.0;
-// [s] Longest total time of large innovations for which the time constant is shortened. Long enough
-// for the start and the end of a push. Measured: without this bound, a body with an unknown delay
-// of 16 ms swayed for ever (git ff9d8bc).
+// [s] Longest total time of large innovations (above kNoiseLevel) in which the time constant is
+// shortened. Long enough for the start and the end of a push. Measured: without this bound, a body
+// with an unknown delay of 16 ms swayed for ever (git ff9d8bc).
 constexpr double kMaxInnovationTime = 0.05;
 // [s/s] Rate at which the counted time falls while innovations are small. Derived:
 // kMaxInnovationTime in 1 s.
@@ -38,9 +40,9 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
   filtered_.z() += dt / (dt + gains.push_time) * innovation.z();
 }
 
-// Compute the time constant as a share of push_time. If the actual delay exceeds
-// StandOptions::delay, the body can sway, with persistent large innovations. A shortened time
-// constant would sustain this oscillation. So the time constant is shortened for at most
+// Compute the time constant as a share of push_time. If the actual delay of the robot exceeds
+// StandOptions::delay, the body can sway, and the innovations stay large. A shortened time constant
+// would sustain this oscillation. So the time constant is shortened for at most
 // kMaxInnovationTime. While the robot is lifted, the time constant is not shortened at all, because
 // the feet cannot exert the planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,

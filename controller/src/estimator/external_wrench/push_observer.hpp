@@ -11,8 +11,9 @@ namespace surefoot {
 /// a_feet is the acceleration that the planned contact forces cause: a_planned - F_planned / m,
 /// where F_planned is the push that the planned motion includes. The difference passes a
 /// first-order low-pass, a dead band against noise and small model errors, and a bound. While the
-/// feet carry the robot, large horizontal innovations shorten the time constant for at most 50 ms,
-/// because the first 10 ms of a push decide whether the robot survives it. Real-time: update() yes.
+/// feet carry the robot, large horizontal innovations (the difference minus its low-pass) shorten
+/// the time constant for at most 50 ms, because the first 10 ms of a push decide whether the robot
+/// survives it. Real-time: yes.
 ///
 /// Without this observer the controller would react only after a push has moved the body. Also, the
 /// QP would plan the motion of unloaded legs for a body that is not pushed, and these legs would

@@ -71,8 +71,8 @@ void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexce
 }
 
 // Gyroscope noise affects the error on the group exactly as an error of the gyroscope bias does. So
-// the variance of this noise is added to the variance of the bias before the propagation, and its
-// effect on the bias rows is removed afterwards.
+// the variance of this noise is added to the variance of the bias before the propagation.
+// Afterwards the effect of the noise on the rows and columns of the bias is removed.
 void ErrorCovariance::propagate(const ErrorPropagation& motion) noexcept {
   fill_upper_triangle();
   for (int k = 0; k < 3; ++k) P_[kGyroscopeBias + k][kGyroscopeBias + k] += motion.rate_variance;

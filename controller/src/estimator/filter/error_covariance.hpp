@@ -18,10 +18,11 @@ constexpr int kSize = 27;
 constexpr int kGroupSize = kGyroscopeBias;
 }  // namespace error_index
 
-/// Propagation of the error over one tick: xi_next = Phi xi + noise.
+/// Propagation of the error xi over one tick: xi_next = Phi xi + noise. The error on the group is
+/// xi without the biases.
 struct ErrorPropagation {
-  /// Derivative of the error on the group with respect to the angular rate: [R; v x R; p x R;
-  /// d x R] dt.
+  /// Derivative of the error on the group with respect to the angular rate:
+  /// [R; v x R; p x R; d x R] dt, with d for each contact point.
   Eigen::Matrix<double, error_index::kGroupSize, 3> rate_jacobian;
   /// R dt: derivative of the velocity with respect to the specific force.
   Matrix3 force_jacobian;

@@ -13,14 +13,14 @@ constexpr double kFilterTime = 0.01;
 // [s] Sample period for which the noise gains are given. Convention: 500 Hz.
 constexpr double kNoisePeriod = 0.002;
 // Assumed speed of a foot off the ground: kSwingSpeed [m/s] plus kSwingShare times the foot's speed
-// relative to the base, for kSwingTime [s]. Chosen so large that the filter gives such a foot no
-// weight; the assumed speed of a stance foot is 0.0005 m/s (noise_foot_slip).
+// relative to the base. It is assumed to last for kSwingTime [s]. Chosen so large that the filter
+// gives such a foot no weight; the assumed speed of a stance foot is 0.0005 m/s (noise_foot_slip).
 constexpr double kSwingSpeed = 3.0;
 constexpr double kSwingShare = 3.0;
 constexpr double kSwingTime = 0.1;
-// Load, as a share of the weight, for which the assumed slip speed falls from kUnloadedSpeed by a
-// factor of e. Chosen (git 1c1a73e): half of contact_force_off (0.06), at which contact ends; at
-// rest a foot carries 0.25.
+// Load, as a share of the weight, at which the assumed slip speed has fallen from kUnloadedSpeed by
+// a factor of e = 2.7. Chosen: half of contact_force_off (0.06), at which contact ends; at rest a
+// foot carries 0.25.
 constexpr double kUnloadedShare = 0.03;
 constexpr double kUnloadedSpeed = 0.5;  // [m/s] assumed slip speed of a foot without load
 }  // namespace

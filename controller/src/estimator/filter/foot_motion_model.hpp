@@ -16,7 +16,8 @@ struct FootContactState {
 };
 
 /// Motion of the contact points from tick to tick: the known displacement by rolling of the
-/// spherical feet, and process noise for the unknown motion in slip and swing. Real-time: yes.
+/// spherical feet, and process noise for the unknown motion of feet that slip or swing. Real-time:
+/// yes.
 class FootMotionModel {
  public:
   /// Update the velocities of the feet relative to the base.

@@ -9,16 +9,16 @@ namespace surefoot {
 namespace {
 // The method is from Mehra 1970; the values are chosen unless stated.
 //
-// [s] Time constant with which the variance decays if all innovations are zero. At least ten
-// samples at 500 Hz, and shorter than an impact.
+// [s] Time constant with which the variance decays if all innovations are zero and the predicted
+// variance is small. Ten samples at 500 Hz, and shorter than an impact.
 constexpr double kTimeConstant = 0.02;
 // Upper limit of the normalised innovation squared, in units of its dimension; larger values count
 // as this limit. Derived: the square of five standard deviations.
 constexpr double kMaxNisRatio = 25.0;
 // Largest change of log(variance) in one sample: a factor of e = 2.7 in the variance.
 constexpr double kMaxLogChange = 1.0;
-// [m] Lower bound of the standard deviation. Derived: quantisation noise of encoder steps of
-// 3e-5 rad at a distance of 0.2 m, 6e-6 / sqrt(12).
+// [m] Lower bound of the standard deviation. Derived: encoder steps of 3e-5 rad at a distance of
+// 0.2 m move a foot in steps of 6e-6 m; their quantisation noise is 6e-6 / sqrt(12) m.
 constexpr double kMinSigma = 2e-6;
 // [m] Upper bound of the standard deviation. Derived: ten times noise_foot_position.
 constexpr double kMaxSigma = 0.02;

@@ -12,8 +12,8 @@ namespace surefoot {
 /// and no data sheet gives their size. So the variance of each foot is adapted. It grows
 /// exponentially while the normalised innovation squared of the foot is above 3, its dimension, and
 /// decays while it is below 3. An initial variance that is wrong by orders of magnitude is
-/// corrected within a fraction of a second. Method: innovation-based adaptation (Mehra 1970), by
-/// stochastic approximation. Real-time: yes.
+/// corrected within a fraction of a second. Method: innovation-based adaptation (Mehra 1970) in
+/// small steps, one per sample (stochastic approximation). Real-time: yes.
 class FootNoise {
  public:
   /// Set all variances to the square of the gain noise_foot_position.

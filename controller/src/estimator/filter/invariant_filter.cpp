@@ -9,20 +9,20 @@ namespace surefoot {
 using namespace error_index;
 
 namespace {
-// [m^2] Variance that keeps the innovation covariance invertible. Numerical: smaller than the
-// square of FootNoise::kMinSigma.
+// [m^2] Variance that keeps the innovation covariance invertible. Numerical: smaller than 4e-12,
+// the square of kMinSigma in foot_noise.cpp.
 constexpr double kMinFootVariance = 1e-12;
 // The estimate is implausible if a variance is more negative than this, in its own unit. Numerical:
 // rounding errors make zero variances slightly negative.
 constexpr double kVarianceTolerance = 1e-6;
 // The estimate is implausible above these values. Chosen: no robot is as fast, and the limits of
-// the biases are a tenth and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
+// the biases are about a tenth and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
 constexpr double kMaxSpeed = 20.0;              // [m/s]
 constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
 constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
-// [rad] A linearisation point is renewed after a rotation by this angle. Chosen. If smaller: noise
-// of the estimate renews the point, which made the tilt drift at rest (test_estimator_rest.cpp). If
-// larger: the error of the linearisation grows.
+// [rad] A linearisation point is renewed after a rotation by this angle. Chosen. If smaller: the
+// noise of the estimate renews the point at rest, and then the tilt drifts (see relinearise();
+// test: test_estimator_rest.cpp). If larger: the error of the linearisation grows.
 constexpr double kRelinearisationAngle = 0.01;
 
 double square(double x) noexcept { return x * x; }
@@ -116,9 +116,9 @@ void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
   discretise_accelerometer_bias(gains, motion);
   // Stance feet make the vertical bias observable, so this component gets more process noise. With
   // little process noise, the filter would attribute a jump of the vertical bias to the horizontal
-  // bias and the tilt: a jump of 0.7 m/s^2 could then make an a1 tip over. The time constant of the
-  // vertical bias is sigma sqrt(dt) / accelerometer_drift_vertical, where sigma is the standard
-  // deviation of the accelerometer.
+  // bias and the tilt: a jump of 0.7 m/s^2 could then make an a1 tip over. The time constant with
+  // which the filter estimates the vertical bias is sigma sqrt(dt) / accelerometer_drift_vertical,
+  // where sigma is the standard deviation of the accelerometer.
   motion.up_base = R_linearisation_.row(2);
   motion.vertical_drift_variance = square(gains.accelerometer_drift_vertical) * dt;
   P_.propagate(motion);

@@ -15,12 +15,13 @@ struct InitialSigmas {
   double accelerometer = 0.0;  ///< [m/s^2] of the accelerometer bias
 };
 
-/// IMU measurement of one tick and its variances. The values include the biases.
+/// IMU measurement of one tick, base axes, and variances of its noise. The measured values include
+/// the biases.
 struct ImuInput {
   Vector3 w_base = Vector3::Zero();  ///< [rad/s] angular velocity
   Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force
-  double w_variance = 0.0;           ///< [rad^2/s^2]
-  double f_variance = 0.0;           ///< [m^2/s^4]
+  double w_variance = 0.0;           ///< [rad^2/s^2] of one axis
+  double f_variance = 0.0;           ///< [m^2/s^4] of one axis
   double dt = 0.0;                   ///< [s]
 };
 
@@ -108,9 +109,10 @@ class InvariantFilter {
   }
 
  private:
-  // Innovation above which a foot is rejected, in units of gate_foot. Between 1 and this value the
-  // foot only gets less weight. Chosen: the filter must still use a foot that slips slowly, but not
-  // a foot whose innovation is 20 standard deviations (docs/explanation/estimator.md).
+  // Innovation above which a foot is rejected, in units of the gain gate_foot. If the innovation is
+  // between 1 and this value, the foot only gets less weight. Chosen: the filter must still use a
+  // foot that slips slowly, but not a foot whose innovation is 20 standard deviations
+  // (docs/explanation/estimator.md).
   static constexpr double kRejectionRatio = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,

@@ -8,17 +8,18 @@ namespace surefoot {
 
 namespace {
 
-// [rad/s^2], [m/s^3] Assumed rates of change of a signal while the sensor repeats its last value.
-// Chosen: over the 20 ms of a 50 Hz sensor the changes reach 1 rad/s (kUnmeasuredRateNoise) and
-// 10 m/s^2 (1 g).
+// [rad/s^2], [m/s^3] Assumed rates of change of gyroscope and accelerometer while the sensor
+// repeats its last value. Chosen: over the 20 ms of a 50 Hz sensor the changes reach 1 rad/s
+// (kUnmeasuredRateNoise) and 10 m/s^2 (1 g).
 constexpr double kHeldRateDrift = 50.0;
 constexpr double kHeldForceDrift = 500.0;
-// [sigma^2] Squared change above which the signal itself has changed. Derived: three times the
-// squared change that noise alone causes on three axes (2 sigma^2 on each axis).
+// [sigma^2] Squared change from one sample to the next above which the signal itself, and not only
+// its noise, has changed. Derived: three times the mean squared change that noise alone causes on
+// three axes (2 sigma^2 on each axis).
 constexpr double kNoiseOnlyChange = 18.0;
-// Standard deviation of the mean over a tick, as a share of the change of the signal in the tick.
-// Chosen close to 1 / sqrt(12) = 0.29, the value for a mean that is uniformly distributed between
-// the two samples.
+// Standard deviation of the mean of a signal over a tick, as a share of the change of the signal in
+// the tick. Chosen close to 1 / sqrt(12) = 0.29, the value if the mean can lie anywhere between the
+// two samples with equal probability.
 constexpr double kMeanUncertainty = 0.25;
 // [rad/s] Standard deviations of a rate from the IMU quaternion, and of a rate from the legs.
 // Chosen. Both are larger than noise_gyroscope (0.01), because these rates replace the gyroscope
@@ -29,13 +30,14 @@ constexpr double kLegRateNoise = 0.2;
 // [rad/s] A larger rate from the quaternion means that the quaternion has jumped. Derived: full
 // scale of the gyroscope, 2000 deg/s.
 constexpr double kMaxQuaternionRate = 35.0;
-// The gyroscope is rejected if both of these conditions hold:
-// [rad/s] 1. The rates of gyroscope and legs differ by more than this. Chosen at least five times
-// kLegRateNoise, and smaller than 3 rad/s: an error of 3 rad/s for 0.1 s made a go1 fall
+// The gyroscope is rejected if two conditions hold.
+//
+// [rad/s] Condition 1: the rates of gyroscope and legs differ by more than this. Chosen: five times
+// kLegRateNoise, and smaller than 3 rad/s; an error of 3 rad/s for 0.1 s made a go1 fall
 // (docs/explanation/estimator.md).
 constexpr double kMinContradiction = 1.0;
-// 2. The rates of quaternion and legs differ by less than this share of the difference in
-// condition 1. Chosen: the quaternion is then closer to the legs than to the gyroscope; test
+// Condition 2: the rates of quaternion and legs differ by less than this share of the difference in
+// condition 1. Chosen: the quaternion is then closer to the legs than to the gyroscope. Test:
 // legs_and_quaternion_outvote_a_wrong_gyroscope.
 constexpr double kAgreementRatio = 0.5;
 // [rad/s], [m/s^2] Standard deviations of rate and specific force if nothing measures them and the
@@ -46,16 +48,17 @@ constexpr double kUnmeasuredForceNoise = 3.0;
 
 double square(double x) noexcept { return x * x; }
 
-// Compute the variance of a sample that is used for the `age`-th time. All uses contain the same
+// Compute the variance of a value that is used for the `age`-th time. All uses contain the same
 // noise: the sum of n uses has the variance n^2 sigma^2, so the n-th use adds (2 n - 1) sigma^2.
-// The second term accounts for the change of the signal since the sample was measured; `change` is
-// the assumed rate of change.
+// The second term accounts for the change of the signal since the value was measured; `change` is
+// the assumed rate of change of the signal.
 double held_variance(double sigma, int age, double change, double dt) noexcept {
   return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
 }
 
-// Compute the variance of the mean over a tick. Only the values at both ends of the tick are
-// measured: a change beyond the noise may have happened early or late in the tick.
+// Compute the variance of the mean of a signal over a tick. Only the values at both ends of the
+// tick are measured: a change beyond the noise may have happened early or late in the tick.
+// `change` is the difference of these values.
 double mean_variance(const Vector3& change, double sigma) noexcept {
   return square(kMeanUncertainty) *
          std::max(change.squaredNorm() - kNoiseOnlyChange * square(sigma), 0.0);
@@ -109,7 +112,7 @@ ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
 }
 
 // Return whether legs and IMU quaternion agree with each other but contradict the gyroscope. If
-// feet slip or the body is hit, gyroscope and quaternion agree, so the gyroscope is not rejected.
+// feet slip or the body is hit, gyroscope and quaternion agree, so the result is false.
 bool ImuFilterInput::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
                                            const Dynamics& dynamics, const Eigen::Vector4d& contact,
                                            bool quaternion_changed) const noexcept {
@@ -132,8 +135,8 @@ void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& 
   Vector3 w = Vector3::Zero();
   double sigma = kUnmeasuredRateNoise;
   // The robot may update the quaternion less often than it sends samples. Since the last update of
-  // the quaternion, the filter has already applied rotation_since_last_, so this rotation is
-  // subtracted.
+  // the quaternion, the filter has already applied rotation_since_last_. So only the rest of the
+  // quaternion's rotation is attributed to this tick.
   if (quaternion_changed)
     w = log_so3(rotation_since_last_.conjugate() * last_quaternion_.conjugate() *
                 imu.R_world_base) /
@@ -147,9 +150,9 @@ void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& 
   out.w_variance = square(sigma);
 }
 
-// Contact points at rest do not rotate about each other. If the rate of the dynamics is too high by
-// b, the contact points seem to move by v_i - mean(v) = b x (p_i - mean(p)). The function finds b
-// by least squares.
+// Contact points at rest do not rotate about each other. If the angular velocity with which the
+// dynamics were computed is too high by b, the contact points seem to move with
+// v_i - mean(v) = b x (p_i - mean(p)). The function finds b by least squares.
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept {
   Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();

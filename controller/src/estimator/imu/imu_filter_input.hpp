@@ -8,17 +8,20 @@
 
 namespace surefoot {
 
-/// Converts IMU readings to filter inputs: means over the tick and their variances.
+/// Converts IMU readings to filter inputs: mean angular rate and specific force over the tick, and
+/// their variances.
 ///
 /// The mean is the average of the last and the present sample. NoiseEstimator measures the noise of
-/// the samples; its initial values are the gains. Repeated samples get a larger variance.
+/// the samples, starting from the gains noise_gyroscope and noise_accelerometer. Repeated values
+/// get a larger variance.
 ///
 /// The gyroscope is replaced if its verdict is bad, or if the IMU quaternion and the stance legs
 /// agree with each other but contradict the gyroscope. (With fewer than three stance feet, this
 /// comparison uses the last rate instead of the rate from the legs.) The replacement is the rate of
 /// the quaternion if the quaternion has changed and has not jumped. Otherwise the replacement is
 /// the rate from the legs, or zero with a large variance if there are fewer than three stance feet.
-/// An accelerometer with a bad verdict is replaced by gravity, as at rest. Real-time: yes.
+/// An accelerometer with a bad verdict is replaced by the specific force of a body at rest, which
+/// is gravity alone. Real-time: yes.
 class ImuFilterInput {
  public:
   /// Compute the filter input of this tick.

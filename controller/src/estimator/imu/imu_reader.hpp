@@ -16,7 +16,8 @@ struct ImuReading {
   bool has_quaternion = false;
   /// Number of samples that have had the present value, this sample included; 1: the value is new.
   int w_age = 1, f_age = 1;
-  bool changed = true;  ///< true if joints or IMU differ from the last sample
+  /// True if joints, gyroscope or accelerometer differ from the last sample.
+  bool changed = true;
   SensorVerdict gyroscope = SensorVerdict::kUnjudged;
   SensorVerdict accelerometer = SensorVerdict::kUnjudged;
   SensorVerdict quaternion = SensorVerdict::kUnjudged;
@@ -24,8 +25,8 @@ struct ImuReading {
 
 /// Converts IMU samples to base axes and detects values that repeat.
 ///
-/// An IMU that is slower than the samples repeats its values, which is no fault for up to
-/// kMaxHoldTime. A signal that is constant for longer, while the joint values change, gets the
+/// An IMU that measures less often than samples arrive repeats its values. This is no fault for up
+/// to kMaxHoldTime. A signal that is constant for longer, while the joint values change, gets the
 /// verdict kZero or kConstant. Real-time: yes.
 class ImuReader {
  public:

@@ -10,9 +10,9 @@ namespace surefoot {
 
 /// Online estimate of the white noise of a three-axis sensor.
 ///
-/// Second differences contain little body motion. On each axis they contain six times the noise
-/// variance: E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, as the filter
-/// requires. Real-time: yes.
+/// Second differences of the samples contain little body motion. On each axis, their mean square is
+/// six times the noise variance: E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as
+/// noise, as the filter requires. Real-time: yes.
 class NoiseEstimator {
  public:
   /// Start again with an initial value.
@@ -41,8 +41,8 @@ class NoiseEstimator {
   }
 
  private:
-  // [s] Time constant of the average. Chosen. If smaller: the average has too few samples for an
-  // accuracy of 10 %, which needs some hundred. If larger: the estimate follows changes of the
+  // [s] Time constant of the average. Chosen. If smaller: the average contains too few samples; an
+  // accuracy of 10 % needs some hundred samples. If larger: the estimate follows changes of the
   // noise, for example vibration, too late. Test:
   // sample_noise_is_estimated_within_10_percent_during_motion.
   static constexpr double kTimeConstant = 0.5;

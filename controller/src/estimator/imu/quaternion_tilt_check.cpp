@@ -7,12 +7,12 @@ namespace surefoot {
 
 namespace {
 // The tilts contradict each other if they differ by more than kMaxTiltDifference + kSigmaFactor
-// sigma.
+// sigma, where sigma is the standard deviation of the filter's tilt.
+//
 // [rad] Error of an IMU's attitude filter under acceleration, 5 deg. Chosen smaller than 10 deg, at
 // which arming rejects a quaternion. Test: quaternion_disagrees_after_1_s_of_contradiction.
 constexpr double kMaxTiltDifference = 0.0873;
-// Factor of sigma, the standard deviation of the filter's tilt. Chosen equal to the default of
-// gate_foot.
+// Factor of sigma. Chosen equal to the default of the gain gate_foot.
 constexpr double kSigmaFactor = 4.0;
 // [s] Duration of a contradiction after which the verdict changes. Chosen longer than a push of
 // 0.1 s, which disturbs the IMU's attitude filter. If larger: a robot whose estimate is wrong

@@ -19,8 +19,8 @@ namespace {
 // which the measured attitude has jumped. Smaller than the jump of 10 degrees (0.17 rad) in the row
 // attitude_jump.
 constexpr double kMaxAttitudeJump = 0.1;
-// [s] Largest delay of the attitude behind the gyroscope that passes. The limit kMaxAttitudeJump is
-// increased by this delay times the angular speed.
+// [s] Delay of the measured attitude, compared with the gyroscope, that is no fault. This delay
+// times the angular speed is added to kMaxAttitudeJump.
 constexpr double kAttitudeDelay = 0.02;
 // [s] Any attitude is accepted after attitudes have been rejected for this time.
 constexpr double kReacceptTime = 0.5;

@@ -42,8 +42,8 @@ constexpr double kMinDampingShare = 0.25;
 // [s] Time constant with which the damping changes: ten periods at 500 Hz, so that torques do not
 // jump.
 constexpr double kDampingFilterTime = 0.02;
-// [m g] Planned load on the legs from which no leg can be caught on something. Below this load, the
-// power of the springs is limited too (limit_released_power()).
+// [m g] Planned load on the legs from which no leg can be caught on something. Below this load,
+// limit_released_power() also limits the springs; it acts fully at load 0.
 constexpr double kLoadedShare = 0.1;
 }  // namespace
 

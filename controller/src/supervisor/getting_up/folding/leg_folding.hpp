@@ -23,7 +23,7 @@ namespace surefoot {
 /// kMaxCatches times, the folding is stuck().
 ///
 /// Rolling: if the body rolls over its legs, all legs are released for 1 s and then fold again;
-/// drawn-in legs stretch first. If the body still rolls after two releases, it has rolled_over().
+/// drawn-in legs stretch first. If the body keeps rolling, it has rolled_over() (RolloverMonitor).
 /// Real-time: yes.
 class LegFolding {
  public:
@@ -56,7 +56,7 @@ class LegFolding {
   /// hardly changed, and the body has not rolled. Then a person or an obstacle holds the legs, or
   /// the legs are too heavy for JointImpedance.
   bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
-  /// Return whether the body still rolls over its legs after two releases.
+  /// Return whether the body has rolled over although its legs were released, see RolloverMonitor.
   bool rolled_over() const noexcept { return rollover_.rolled_over(); }
   /// Return whether folding is not done, and has taken longer than kTimeout or a leg has caught
   /// more than kMaxCatches times.
@@ -67,6 +67,7 @@ class LegFolding {
  private:
   // The limits are chosen by hand, above the duration of get-ups: median 7 to 10 s, at most 19 s
   // (benchmarks/get_up.py). Test: folding_stops_after_several_retries_of_a_caught_leg (15 to 45 s).
+  //
   // [s] Longest time of folding since the start or the last release.
   static constexpr double kTimeout = 40.0;
   // Largest number of catches of one leg. Eight catches take 8 (kCatchTime + kBackOutTime) = 20 s.
