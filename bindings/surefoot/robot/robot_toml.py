@@ -84,7 +84,7 @@ def read_toml(path: Path) -> dict[str, Any]:
         Error: The file cannot be read, or is not valid TOML.
     """
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))  # editors may write a BOM
     except OSError as problem:
         raise Error(f"cannot read '{path}': {problem.strerror}") from None
     # ValueError covers invalid TOML, invalid UTF-8 and integers too long for Python.
