@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nanobind/eigen/dense.h>
 #include <nanobind/stl/array.h>
 
 #include "bindings.hpp"
 #include "surefoot/state_estimator.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
@@ -37,7 +36,7 @@ void bind_enums(nb::module_& m) {
 
 void bind_report(nb::module_& m) {
   using R = EstimatorReport;
-  nb::class_<R>(m, "EstimatorReport",
+  ValueClass<R>(m, "EstimatorReport",
                 "Uncertainty of the state estimate, and verdicts on the sensors.\n\n"
                 "Arrays over feet are in leg order: FR FL RR RL.")
       .def_ro("gyroscope", &R::gyroscope, "Verdict on imu.gyroscope.")

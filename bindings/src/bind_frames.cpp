@@ -52,7 +52,7 @@ void def_frame(nb::module_& m, const char* what, Encode<Struct> encode, Decode<S
 }
 
 void bind_extras(nb::module_& m) {
-  nb::class_<FrameExtras> c(
+  ValueClass<FrameExtras> c(
       m, "FrameExtras",
       "Fields that some frame formats have but LowCmd and LowState do not.\n\n"
       "Surefoot only passes them on.");
@@ -61,11 +61,15 @@ void bind_extras(nb::module_& m) {
              "Communication version. Only in generations a1-v3.3 and go1-v3.4.");
   def_number(c, "robotID", &FrameExtras::robotID,
              "Robot number. Only in generations a1-v3.3 and go1-v3.4.");
-  c.def_prop_ro(
+  c.def_field<Eigen::MatrixXd>(
       "led",
       [](nb::handle self) {
         auto* data = reinterpret_cast<std::uint8_t*>(nb::cast<FrameExtras&>(self).led.data());
         return nb::ndarray<nb::numpy, std::uint8_t, nb::shape<4, 3>>(data, {4, 3}, self);
+      },
+      [](FrameExtras& extras, FieldName field, nb::handle value) {
+        const auto numbers = field_numbers<std::uint8_t, 12>(field, value, {4, 3});
+        std::memcpy(extras.led.data(), numbers.data(), numbers.size());
       },
       "Red, green, blue of four lights, a writable view of shape (4, 3). Only in LowCmd\n"
       "of generation a1-v3.3.");
@@ -98,7 +102,7 @@ void bind_remote(nb::module_& m) {
       .value("RIGHT", Button::kRight, "Bit 13 of the buttons.")
       .value("DOWN", Button::kDown, "Bit 14 of the buttons.")
       .value("LEFT", Button::kLeft, "Bit 15 of the buttons.");
-  nb::class_<WirelessRemote>(m, "WirelessRemote",
+  ValueClass<WirelessRemote>(m, "WirelessRemote",
                              "Buttons and sticks in the 40 bytes of LowState.wirelessRemote.\n\n"
                              "The layout is that of the SDK's joystick.h.")
       .def(nb::init<>(), "Create a remote at rest.")

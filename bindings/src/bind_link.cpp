@@ -4,15 +4,15 @@
 #include "bindings.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/udp_link.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
 
 void bind_counts(nb::module_& m) {
-  nb::class_<LinkCounts>(m, "LinkCounts",
+  ValueClass<LinkCounts>(m, "LinkCounts",
                          "Counts of frames sent and datagrams received since the link was opened.")
       .def_ro("sent", &LinkCounts::sent, "Frames sent, damping included.")
       .def_ro("send_failed", &LinkCounts::send_failed, "Frames that the system did not accept.")

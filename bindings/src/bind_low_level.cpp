@@ -16,7 +16,7 @@ namespace {
 template <typename Element, std::size_t N>
 void bind_struct_array(nb::module_& m, const char* name) {
   using Row = std::array<Element, N>;
-  nb::class_<Row>(m, name,
+  ValueClass<Row>(m, name,
                   "Fixed array of 20 motor slots. Writing to an element writes to the struct.")
       .def("__len__", [](const Row&) { return N; })
       .def(
@@ -32,12 +32,10 @@ void bind_struct_array(nb::module_& m, const char* name) {
 }
 
 template <typename Struct>
-void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
+void def_bytes_access(ValueClass<Struct>& c, Struct (*make)() noexcept) {
   c.def(
       "__init__", [make](Struct* self) { new (self) Struct(make()); },
       "Create a message with head, levelFlag and default values.");
-  c.def("__copy__", [](const Struct& self) { return Struct(self); });
-  c.def("__deepcopy__", [](const Struct& self, nb::dict) { return Struct(self); });
   c.def(
       "to_bytes",
       [](const Struct& s) { return nb::bytes(reinterpret_cast<const char*>(&s), sizeof(Struct)); },
@@ -66,10 +64,11 @@ void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
 }
 
 void bind_imu(nb::module_& m) {
-  nb::class_<IMU> imu(
+  ValueClass<IMU> imu(
       m, "IMU",
       "Inertial measurement unit, in the IMU's own axes. Arrays are writable numpy\n"
       "views.");
+  imu.def(nb::init<>(), "Create a struct of zeros.");
   def_array(imu, "quaternion", &IMU::quaternion,
             "Quaternion w x y z from IMU to world axes, from the vendor's attitude filter.\n"
             "Read by StandController.");
@@ -85,10 +84,11 @@ void bind_imu(nb::module_& m) {
 }
 
 void bind_motor_state(nb::module_& m) {
-  nb::class_<MotorState> c(
+  ValueClass<MotorState> c(
       m, "MotorState",
       "State of one motor, joint-side: the SDK has removed the gear ratio. Surefoot\n"
       "does not read a field whose description names no reader.");
+  c.def(nb::init<>(), "Create a struct of zeros.");
   def_number(c, "mode", &MotorState::mode,
              "Motor mode, 0x0A servo, 0x00 damping, 0x08 overheated. Read by Supervisor.");
   def_number(c, "q", &MotorState::q, "Joint angle [rad]. Read by StandController.");
@@ -110,10 +110,11 @@ void bind_motor_state(nb::module_& m) {
 }
 
 void bind_motor_cmd(nb::module_& m) {
-  nb::class_<MotorCmd> c(m, "MotorCmd",
+  ValueClass<MotorCmd> c(m, "MotorCmd",
                          "Command to one motor, joint-side.\n\n"
                          "Torque of the motor, with its measured q_motor and dq_motor::\n\n"
                          "    tau_motor = tau + Kp (q - q_motor) + Kd (dq - dq_motor)");
+  c.def(nb::init<>(), "Create a struct of zeros.");
   def_number(c, "mode", &MotorCmd::mode, "Motor mode, 0x0A servo or 0x00 damping.");
   def_number(c, "q", &MotorCmd::q, "Desired joint angle [rad], or PosStopF.");
   def_number(c, "dq", &MotorCmd::dq, "Desired joint velocity [rad/s], or VelStopF.");
@@ -125,12 +126,14 @@ void bind_motor_cmd(nb::module_& m) {
 }
 
 void bind_battery(nb::module_& m) {
-  nb::class_<BmsCmd> cmd(m, "BmsCmd", "Battery command. Surefoot never writes this command.");
+  ValueClass<BmsCmd> cmd(m, "BmsCmd", "Battery command. Surefoot never writes this command.");
+  cmd.def(nb::init<>(), "Create a struct of zeros.");
   def_number(cmd, "off", &BmsCmd::off, "0xA5 switches the battery off.");
   def_array(cmd, "reserve", &BmsCmd::reserve, "Reserved by the vendor.");
-  nb::class_<BmsState> c(m, "BmsState",
+  ValueClass<BmsState> c(m, "BmsState",
                          "State of the battery. If SOC is low, the Supervisor lets the robot sit\n"
                          "down.");
+  c.def(nb::init<>(), "Create a struct of zeros.");
   def_number(c, "version_h", &BmsState::version_h, "Firmware version, high byte.");
   def_number(c, "version_l", &BmsState::version_l, "Firmware version, low byte.");
   def_number(c, "bms_status", &BmsState::bms_status, "Status code of the vendor.");
@@ -147,7 +150,7 @@ void bind_battery(nb::module_& m) {
 }
 
 template <typename Frame>
-void def_header(nb::class_<Frame>& c) {
+void def_header(ValueClass<Frame>& c) {
   def_array(c, "head", &Frame::head, "First bytes of a frame, 0xFE 0xEF.");
   def_number(c, "levelFlag", &Frame::levelFlag, "Level of the interface, LOWLEVEL (0xFF).");
   def_number(c, "frameReserve", &Frame::frameReserve, "Reserved by the vendor.");
@@ -163,7 +166,7 @@ void def_header(nb::class_<Frame>& c) {
 }
 
 void bind_states(nb::module_& m) {
-  nb::class_<LowState> state(
+  ValueClass<LowState> state(
       m, "LowState",
       "Sample that the robot sends in every period.\n\n"
       "The struct is that of unitree_legged_sdk v3.5 - v3.8 (Go1), packed, 937 bytes.\n\n"
@@ -193,7 +196,7 @@ void bind_states(nb::module_& m) {
   def_number(state, "tick", &LowState::tick,
              "Time [ms] modulo 2^32; only differences have a meaning. Read by StandController.");
 
-  nb::class_<LowCmd> cmd(
+  ValueClass<LowCmd> cmd(
       m, "LowCmd",
       "Command to the robot, one in every period.\n\n"
       "The struct is that of unitree_legged_sdk v3.5 - v3.8 (Go1), packed, 734 bytes.\n"

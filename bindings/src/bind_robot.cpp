@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nanobind/eigen/dense.h>
-#include <nanobind/operators.h>
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <filesystem>
+
 #include "bindings.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/robot.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
@@ -37,8 +38,11 @@ void bind_gains(nb::module_& m) {
           "Default of the library, in the same unit.")
       .def_prop_ro(
           "meaning", [](const GainInfo& i) { return std::string(i.meaning); },
-          "Meaning of the gain, in a phrase.");
-  nb::class_<Gains> gains(
+          "Meaning of the gain, in a phrase.")
+      .def("__repr__", [](const GainInfo& i) {
+        return "GainInfo(name='" + std::string(i.name) + "', unit='" + std::string(i.unit) + "')";
+      });
+  ValueClass<Gains> gains(
       m, "Gains",
       "Parameters of standing that are tuned per robot.\n\n"
       "gain_table() has unit, range and meaning of every gain. Gains() has the\n"
@@ -49,16 +53,12 @@ void bind_gains(nb::module_& m) {
   for (const GainInfo& info : gain_table()) {
     const auto member = info.member;
     const std::string doc = std::string(info.meaning) + " [" + std::string(info.unit) + "].";
-    gains.def_prop_rw(
-        std::string(info.name).c_str(), [member](const Gains& g) { return g.*member; },
-        [member](Gains& g, double value) { g.*member = value; }, doc.c_str());
+    gains.def_rw(std::string(info.name).c_str(), member, doc.c_str());
   }
   gains.def("validate", &Gains::validate,
             "Raise Error if a gain is not finite or outside its range.\n\n"
             "Also raise Error if contact_force_off is not below contact_force_on. The message\n"
             "names the first invalid gain.");
-  gains.def("__copy__", [](const Gains& g) { return Gains(g); });
-  gains.def("__eq__", [](const Gains& a, const Gains& b) { return a == b; }, nb::is_operator());
   m.def(
       "gain_table",
       [] {
@@ -76,7 +76,7 @@ void bind_gains(nb::module_& m) {
 }
 
 void bind_config(nb::module_& m) {
-  nb::class_<RobotConfig>(
+  ValueClass<RobotConfig>(
       m, "RobotConfig",
       "Properties of a robot that its kinematic and inertial model does not have.\n\n"
       "Arrays of twelve are in SDK motor order (FR FL RR RL; hip, thigh, calf), arrays\n"
@@ -141,19 +141,49 @@ void bind_config(nb::module_& m) {
         "yes.");
 }
 
-}  // namespace
+bool equal_robots(const Robot& a, const Robot& b) {
+  if (&a.config() == &b.config()) return true;  // copies share their data
+  return nb::cast(RobotConfig(a.config())).equal(nb::cast(RobotConfig(b.config()))) &&
+         a.serialized_model() == b.serialized_model();
+}
 
-void bind_robot(nb::module_& m) {
-  bind_gains(m);
-  bind_config(m);
-  nb::class_<Robot>(
+// A robot is immutable: a copy is the robot itself, and equal robots have equal hashes.
+void def_value_methods(nb::class_<Robot>& c) {
+  c.def("__copy__", [](const Robot& r) { return Robot(r); })
+      .def(
+          "__deepcopy__", [](const Robot& r, const nb::dict&) { return Robot(r); }, "memo"_a)
+      .def(
+          "__eq__",
+          [](const Robot& a, nb::handle b) {
+            return nb::isinstance<Robot>(b) && equal_robots(a, nb::cast<const Robot&>(b));
+          },
+          nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__",
+           [](const Robot& r) { return nb::hash(nb::make_tuple(r.config().name, r.mass())); })
+      .def("__getstate__",
+           [](const Robot& r) {
+             return nb::make_tuple(r.serialized_model(), RobotConfig(r.config()));
+           })
+      .def("__setstate__",
+           [](Robot* self, const std::tuple<std::string, RobotConfig>& state) {
+             new (self) Robot(Robot::from_serialized_model(std::get<0>(state), std::get<1>(state)));
+           })
+      .def("__repr__", [](const Robot& r) {
+        return "Robot(name='" + r.config().name + "', mass=" + value_text(nb::float_(r.mass())) +
+               ", nq=" + std::to_string(r.nq()) + ")";
+      });
+}
+
+void bind_robot_class(nb::module_& m) {
+  nb::class_<Robot> robot(
       m, "Robot",
       "Model and configuration of a robot. Immutable, cheap to copy, and safe to share\n"
       "between threads.\n\n"
       "q and v follow Pinocchio: q = [p_world_base, quaternion x y z w, joints], v =\n"
       "[linear and angular velocity of the base in base axes, joint velocities]. Joints\n"
       "in q and v are in Pinocchio's order, which differs from SDK motor order: convert\n"
-      "with motor_to_q and motor_to_v. Joints are matched to motors by name.")
+      "with motor_to_q and motor_to_v. Joints are matched to motors by name.");
+  robot
       .def_static("from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
                   "Build a Robot from the text that pinocchio.Model.saveToString() returned.\n\n"
                   "Both sides need the same Pinocchio version. RobotConfig.armature replaces the\n"
@@ -161,12 +191,15 @@ void bind_robot(nb::module_& m) {
                   "Raises Error if the text cannot be read, or if the configuration is invalid or\n"
                   "does not fit the model.")
       .def_static(
-          "load", &Robot::load, "path"_a,
+          "load", [](const std::filesystem::path& path) { return Robot::load(path.string()); },
+          "path"_a,
           "Read a .robot file that save() wrote. No URDF parser and no meshes are needed.\n\n"
           "Raises Error if the file cannot be read, is damaged, or has another version.")
-      .def("save", &Robot::save, "path"_a,
-           "Write a .robot file, which C++ and Python can read. Raises Error if the file\n"
-           "cannot be written.")
+      .def(
+          "save", [](const Robot& r, const std::filesystem::path& path) { r.save(path.string()); },
+          "path"_a,
+          "Write a .robot file, which C++ and Python can read. Raises Error if the file\n"
+          "cannot be written.")
       .def("serialized_model", &Robot::serialized_model,
            "Return the model as text for pinocchio.Model.loadFromString() of the same\n"
            "version.")
@@ -188,4 +221,13 @@ void bind_robot(nb::module_& m) {
       .def("q_standing", &Robot::q_standing,
            "Return q of the standing pose, shape (nq,), with the base level at the world\n"
            "origin.");
+  def_value_methods(robot);
+}
+
+}  // namespace
+
+void bind_robot(nb::module_& m) {
+  bind_gains(m);
+  bind_config(m);
+  bind_robot_class(m);
 }

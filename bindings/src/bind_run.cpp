@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
 #include <chrono>
@@ -10,12 +11,24 @@
 #include "bindings.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_runner.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
+
+std::optional<nb::typed<nb::dict, nb::str, nb::any>> rejected_frame(const FrameReport& report) {
+  const bool has_generation = report.status == FrameStatus::kWrongGeneration;
+  if (!has_generation && report.status != FrameStatus::kWrongLength) return std::nullopt;
+  nb::typed<nb::dict, nb::str, nb::any> frame;
+  frame["bytes"] = report.size;
+  frame["generation"] = nb::none();
+  if (has_generation) frame["generation"] = to_string(report.detected);
+  frame["expected_bytes"] = report.expected_size;
+  frame["expected_generation"] = to_string(report.expected);
+  return frame;
+}
 
 void bind_snapshot(nb::module_& m) {
   nb::class_<RunSnapshot>(
@@ -49,6 +62,11 @@ void bind_snapshot(nb::module_& m) {
       .def_prop_ro(
           "last_reject", [](const RunSnapshot& s) { return to_text(s.last_reject); },
           "Reason why the last invalid datagram was rejected, a sentence.")
+      .def_prop_ro(
+          "rejected_frame", [](const RunSnapshot& s) { return rejected_frame(s.last_reject); },
+          "Last rejected datagram if its length was wrong, else None.\n\n"
+          "A dictionary: bytes, generation (None: no generation has frames of this length),\n"
+          "expected_bytes, expected_generation.")
       .def_ro("mode", &RunSnapshot::mode, "Mode of the supervisor, after the last tick.")
       .def_ro("damping_fault", &RunSnapshot::damping_fault,
               "FaultId for which damping was last latched.")
@@ -134,7 +152,12 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("wake_p999", &RunSnapshot::wake_p999,
               "Latency from the deadline to waking up [us], 99.9 % quantile.")
       .def_ro("wake_max", &RunSnapshot::wake_max,
-              "Latency from the deadline to waking up [us], maximum.");
+              "Latency from the deadline to waking up [us], maximum.")
+      .def("__repr__", [](const RunSnapshot& s) {
+        return "RunSnapshot(time=" + value_text(nb::float_(s.time)) + ", phase='" +
+               to_string(s.phase) + "', reason='" + to_string(s.reason) +
+               "', ticks=" + std::to_string(s.ticks) + ")";
+      });
 }
 
 // Python runs signal handlers only in its main thread and between bytecode instructions. So the
@@ -156,16 +179,25 @@ void run_and_handle_signals(StandRunner& runner) {
 }
 
 void bind_runner(nb::module_& m) {
-  nb::class_<RunOptions>(
+  ValueClass<RunOptions>(
       m, "RunOptions",
       "Options of a StandRunner. StandRunner() raises Error if an option is out of\n"
       "range.")
       .def(
           "__init__",
-          [](RunOptions* o, double rate, double duration, int power_level, bool remote,
-             double connect_timeout, Start start, double operator_timeout, double log_time) {
-            new (o) RunOptions{rate,  duration,         power_level, remote, connect_timeout,
-                               start, operator_timeout, log_time};
+          [](RunOptions* o, FieldArgument<double> rate, FieldArgument<double> duration,
+             FieldArgument<int> power_level, FieldArgument<bool> remote,
+             FieldArgument<double> connect_timeout, FieldArgument<Start> start,
+             FieldArgument<double> operator_timeout, FieldArgument<double> log_time) {
+            constexpr const char* kType = "RunOptions";
+            new (o) RunOptions{rate.to(kType, "rate"),
+                               duration.to(kType, "duration"),
+                               power_level.to(kType, "power_level"),
+                               remote.to(kType, "remote"),
+                               connect_timeout.to(kType, "connect_timeout"),
+                               start.to(kType, "start"),
+                               operator_timeout.to(kType, "operator_timeout"),
+                               log_time.to(kType, "log_time")};
           },
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
           "power_level"_a = 1, "remote"_a = true, "connect_timeout"_a = 5.0,

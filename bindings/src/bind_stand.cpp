@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nanobind/eigen/dense.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 
 #include "bindings.hpp"
 #include "pending_error.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
 
 void bind_body_reference(nb::module_& m) {
-  nb::class_<BodyReference>(
+  ValueClass<BodyReference>(
       m, "BodyReference",
       "Pose of the body relative to the latched pose; all zero is the latched pose.\n\n"
       "Displacement of the base origin along the axes of the support frame (x forward,\n"
@@ -22,8 +21,14 @@ void bind_body_reference(nb::module_& m) {
       "Ry(pitch) Rx(roll) R_latched.")
       .def(
           "__init__",
-          [](BodyReference* r, double x, double y, double height, double roll, double pitch,
-             double yaw) { new (r) BodyReference{x, y, height, roll, pitch, yaw}; },
+          [](BodyReference* r, FieldArgument<double> x, FieldArgument<double> y,
+             FieldArgument<double> height, FieldArgument<double> roll, FieldArgument<double> pitch,
+             FieldArgument<double> yaw) {
+            constexpr const char* kType = "BodyReference";
+            new (r) BodyReference{x.to(kType, "x"),           y.to(kType, "y"),
+                                  height.to(kType, "height"), roll.to(kType, "roll"),
+                                  pitch.to(kType, "pitch"),   yaw.to(kType, "yaw")};
+          },
           "x"_a = 0.0, "y"_a = 0.0, "height"_a = 0.0, "roll"_a = 0.0, "pitch"_a = 0.0,
           "yaw"_a = 0.0, "Create a pose; the arguments are the attributes.")
       .def_rw("x", &BodyReference::x, "Displacement forward [m].")
@@ -48,7 +53,7 @@ void bind_body_reference(nb::module_& m) {
              "A leg is too short to reach its foot position.")
       .value("NOT_FINITE", ReachLimit::kNotFinite,
              "The target has a NaN or an infinity. The previous target stays in force.");
-  nb::class_<ReachStatus>(m, "ReachStatus", "Limit that stops the body reference, and its motor.")
+  ValueClass<ReachStatus>(m, "ReachStatus", "Limit that stops the body reference, and its motor.")
       .def_ro("limit", &ReachStatus::limit, "Limit that stops the reference, or NONE.")
       .def_ro("motor", &ReachStatus::motor,
               "SDK number of the joint (JOINT) or of the hip of the leg (FOOT_HEIGHT); -1 for\n"
@@ -78,12 +83,15 @@ void bind_fallback_level(nb::module_& m) {
 }
 
 void bind_controller(nb::module_& m) {
-  nb::class_<StandOptions>(m, "StandOptions",
+  ValueClass<StandOptions>(m, "StandOptions",
                            "Options of a StandController: fixed at construction, unlike gains.")
       .def(
           "__init__",
-          [](StandOptions* o, double motor_damping, double delay, QpForm form, double power_limit) {
-            new (o) StandOptions{motor_damping, delay, form, power_limit};
+          [](StandOptions* o, FieldArgument<double> motor_damping, FieldArgument<double> delay,
+             FieldArgument<QpForm> form, FieldArgument<double> power_limit) {
+            constexpr const char* kType = "StandOptions";
+            new (o) StandOptions{motor_damping.to(kType, "motor_damping"), delay.to(kType, "delay"),
+                                 form.to(kType, "form"), power_limit.to(kType, "power_limit")};
           },
           "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = QpForm::kAuto,
           "power_limit"_a = StandOptions().power_limit,

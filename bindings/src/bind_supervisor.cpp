@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -6,8 +7,8 @@
 
 #include "bindings.hpp"
 #include "surefoot/supervisor.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
@@ -103,12 +104,16 @@ void bind_faults(nb::module_& m) {
           "What ends the reaction after the fault has ended.")
       .def_prop_ro(
           "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
-          "How the fault is detected and how the supervisor reacts, a sentence.");
+          "How the fault is detected and how the supervisor reacts, a sentence.")
+      .def("__repr__", [](const FaultInfo& info) {
+        return "FaultInfo(name='" + std::string(to_string(info.id)) + "', reaction='" +
+               to_string(info.reaction) + "')";
+      });
   m.def(
       "fault_table",
       [] { return std::vector<FaultInfo>(fault_table().begin(), fault_table().end()); },
       "Return a FaultInfo for every fault of a Supervisor, in the order of FaultId.");
-  nb::class_<FaultReport>(m, "FaultReport", "Active and past faults of a Supervisor.")
+  ValueClass<FaultReport>(m, "FaultReport", "Active and past faults of a Supervisor.")
       .def_prop_ro(
           "active",
           [](const FaultReport& report) {
@@ -127,11 +132,37 @@ void bind_faults(nb::module_& m) {
           "motor",
           [](const FaultReport& report, FaultId id) { return report.motor[static_cast<int>(id)]; },
           "id"_a, "Return the SDK number of the motor that last had the fault, or -1.")
-      .def_ro("last", &FaultReport::last, "Fault that began last.");
+      .def_ro("last", &FaultReport::last, "Fault that began last.")
+      .def_part(
+          "faults",
+          [](nb::handle self) -> nb::object {
+            const auto& report = nb::cast<const FaultReport&>(self);
+            return nb::make_tuple(report.active, report.count, report.motor);
+          },
+          [](nb::handle self, nb::handle saved) {
+            auto& report = nb::cast<FaultReport&>(self);
+            report.active = nb::cast<decltype(report.active)>(saved[0]);
+            report.count = nb::cast<decltype(report.count)>(saved[1]);
+            report.motor = nb::cast<decltype(report.motor)>(saved[2]);
+          })
+      .def_repr([](const FaultReport& report) {
+        std::string active, count;
+        for (const FaultInfo& info : fault_table()) {
+          const std::string name = to_string(info.id);
+          const std::uint32_t times = report.count[static_cast<int>(info.id)];
+          const int motor = report.motor[static_cast<int>(info.id)];
+          if (report.has(info.id)) active += (active.empty() ? "" : ", ") + name;
+          if (times == 0) continue;
+          count += (count.empty() ? "" : ", ") + name + ": " + std::to_string(times);
+          if (motor >= 0) count += " (last at motor " + std::to_string(motor) + ")";
+        }
+        return "FaultReport(active=[" + active + "], count={" + count +
+               "}, last=" + to_string(report.last) + ")";
+      });
 }
 
 void bind_arming(nb::module_& m) {
-  nb::class_<ArmingCheck>(m, "ArmingCheck", "Result of one arming check.")
+  ValueClass<ArmingCheck>(m, "ArmingCheck", "Result of one arming check.")
       .def_ro("applies", &ArmingCheck::applies,
               "False if the check does not apply now and counts as passed.")
       .def_ro("passed", &ArmingCheck::passed, "True if the value is within the limit.")
@@ -142,7 +173,7 @@ void bind_arming(nb::module_& m) {
       .def_ro("motor", &ArmingCheck::motor, "SDK number of the motor with the worst value, or -1.")
       .def_ro("swapped_with", &ArmingCheck::swapped_with,
               "SDK number of the second motor if `motor` seems swapped with another; else -1.");
-  nb::class_<ArmingReport>(m, "ArmingReport", "Results of all arming checks of one tick.")
+  ValueClass<ArmingReport>(m, "ArmingReport", "Results of all arming checks of one tick.")
       .def_ro("passed_for", &ArmingReport::passed_for,
               "Time for which all checks have passed without interruption [s].")
       .def_ro("ready", &ArmingReport::ready,
@@ -179,31 +210,53 @@ void bind_arming(nb::module_& m) {
           [](const ArmingReport& report, const Robot& robot) {
             return describe_failures(report, robot.config());
           },
-          "robot"_a,
-          "Describe all failed checks, one sentence per line; empty if no check failed.");
+          "robot"_a, "Describe all failed checks, one sentence per line; empty if no check failed.")
+      .def_part(
+          "results",
+          [](nb::handle self) { return nb::cast(nb::cast<const ArmingReport&>(self).checks); },
+          [](nb::handle self, nb::handle saved) {
+            auto& report = nb::cast<ArmingReport&>(self);
+            report.checks = nb::cast<decltype(report.checks)>(saved);
+          })
+      .def_repr([](const ArmingReport& report) {
+        std::string failed;
+        for (int i = 0; i < kArmingChecks; ++i) {
+          const ArmingCheck& check = report.checks[i];
+          if (!check.applies || check.passed) continue;
+          failed += (failed.empty() ? "" : ", ") +
+                    std::string(to_string(static_cast<ArmingCheckId>(i))) + ": " +
+                    nb::repr(nb::cast(check)).c_str();
+        }
+        return "ArmingReport(ready=" + std::string(report.ready ? "True" : "False") +
+               ", passed_for=" + value_text(nb::float_(report.passed_for)) + ", failed={" + failed +
+               "})";
+      });
 }
 
 void bind_supervisor_class(nb::module_& m) {
-  nb::class_<SupervisorOptions>(m, "SupervisorOptions",
+  ValueClass<SupervisorOptions>(m, "SupervisorOptions",
                                 "Options of a Supervisor: fixed at construction, unlike gains.\n\n"
                                 "Supervisor() raises Error if an option is out of range.")
       .def(
           "__init__",
-          [](SupervisorOptions* self, int power_level, double arming_time,
-             double temperature_warning, double temperature_stop, double battery_low,
-             double payload_limit, double operator_timeout, double joint_margin,
-             const StandOptions& stand, Start start, bool remote) {
-            new (self) SupervisorOptions{power_level,
-                                         arming_time,
-                                         temperature_warning,
-                                         temperature_stop,
-                                         battery_low,
-                                         payload_limit,
-                                         operator_timeout,
-                                         joint_margin,
-                                         stand,
-                                         start,
-                                         remote};
+          [](SupervisorOptions* self, FieldArgument<int> power_level,
+             FieldArgument<double> arming_time, FieldArgument<double> temperature_warning,
+             FieldArgument<double> temperature_stop, FieldArgument<double> battery_low,
+             FieldArgument<double> payload_limit, FieldArgument<double> operator_timeout,
+             FieldArgument<double> joint_margin, FieldArgument<StandOptions> stand,
+             FieldArgument<Start> start, FieldArgument<bool> remote) {
+            constexpr const char* kType = "SupervisorOptions";
+            new (self) SupervisorOptions{power_level.to(kType, "power_level"),
+                                         arming_time.to(kType, "arming_time"),
+                                         temperature_warning.to(kType, "temperature_warning"),
+                                         temperature_stop.to(kType, "temperature_stop"),
+                                         battery_low.to(kType, "battery_low"),
+                                         payload_limit.to(kType, "payload_limit"),
+                                         operator_timeout.to(kType, "operator_timeout"),
+                                         joint_margin.to(kType, "joint_margin"),
+                                         stand.to(kType, "stand"),
+                                         start.to(kType, "start"),
+                                         remote.to(kType, "remote")};
           },
           nb::kw_only(), "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
           "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,

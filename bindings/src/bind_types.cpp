@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nanobind/eigen/dense.h>
 #include <nanobind/stl/string.h>
 
 #include "bindings.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/types.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
@@ -60,30 +59,6 @@ void bind_status(nb::module_& m) {
       .value("BASE", BodyPoint::kBase, "The origin of the base.");
 }
 
-// Getters return vectors as views. Setters accept anything that numpy converts to a vector of the
-// right size; for other values they raise an error that names the field.
-template <typename Struct, typename Vector>
-auto get(Vector Struct::* member) {
-  return [member](Struct& s) -> Vector& { return s.*member; };
-}
-
-template <typename Struct, typename Vector>
-auto set(const char* name, Vector Struct::* member) {
-  return [name, member](Struct& s, const nb::object& value) {
-    constexpr int kSize = Vector::SizeAtCompileTime;
-    const nb::object array = nb::module_::import_("numpy").attr("asarray")(value, "dtype"_a = "d");
-    Eigen::VectorXd numbers;
-    if (!nb::try_cast(array, numbers) || (kSize != Eigen::Dynamic && numbers.size() != kSize)) {
-      const std::string size = kSize == Eigen::Dynamic ? "n" : std::to_string(kSize);
-      const nb::str shape = nb::repr(nb::object(array.attr("shape")));
-      const std::string text =
-          std::string(name) + ": got shape " + shape.c_str() + ", expected (" + size + ",)";
-      throw nb::value_error(text.c_str());
-    }
-    s.*member = numbers;
-  };
-}
-
 Quaternion from_xyzw(const Eigen::Vector4d& q) {
   if (!(std::abs(q.norm() - 1.0) < 1e-6)) {
     throw Error("quaternion (x, y, z, w): got norm " + std::to_string(q.norm()) + ", expected 1");
@@ -92,55 +67,43 @@ Quaternion from_xyzw(const Eigen::Vector4d& q) {
 }
 
 void bind_robot_state(nb::module_& m) {
-  nb::class_<RobotState>(m, "RobotState",
+  ValueClass<RobotState>(m, "RobotState",
                          "State of the robot: pose, motion, contacts and external wrench.\n\n"
                          "Arrays are writable numpy views; an assignment of another shape raises\n"
                          "ValueError.")
       .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18,
            "Create a state at rest, with the base level at the world origin.\n\n"
            "Raises Error unless nq >= 7 and nv >= 6.")
-      .def_prop_rw("q", get(&RobotState::q), set("q", &RobotState::q),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Generalised position q of Pinocchio, shape (nq,).\n\n"
-                   "Position of the base in the world [m], quaternion x y z w from base to world\n"
-                   "axes, joint angles [rad].")
-      .def_prop_rw("v", get(&RobotState::v), set("v", &RobotState::v),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Generalised velocity v of Pinocchio, shape (nv,).\n\n"
-                   "Linear [m/s] and angular [rad/s] velocity of the base in base axes, joint\n"
-                   "velocities [rad/s].")
-      .def_prop_rw(
-          "contact", get(&RobotState::contact), set("contact", &RobotState::contact),
-          nb::for_getter(nb::rv_policy::reference_internal),
-          "Contact confidence of each foot, 0 .. 1, FR FL RR RL, shape (4,).\n\n"
-          "While the confidence of a stance foot is 0, the gains force_lost_contact and\n"
-          "share_lost_contact limit its load; between 0 and 1 the limits are interpolated.\n"
-          "To lift a foot, use FootReference.stance.")
-      .def_prop_rw("f_external", get(&RobotState::f_external),
-                   set("f_external", &RobotState::f_external),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "External force through the centre of mass [N], world axes, shape (3,).\n\n"
-                   "Pushes and payload are included.")
-      .def_prop_rw("f_sustained", get(&RobotState::f_sustained),
-                   set("f_sustained", &RobotState::f_sustained),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Sustained part of f_external [N], world axes, shape (3,).\n\n"
-                   "A payload causes this force. The holding torques include it.")
-      .def_prop_rw("moment_external", get(&RobotState::moment_external),
-                   set("moment_external", &RobotState::moment_external),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "External moment about the centre of mass [N.m], world axes, shape (3,).\n\n"
-                   "The estimator sets the sustained part only.")
-      .def_prop_rw(
-          "friction", get(&RobotState::friction), set("friction", &RobotState::friction),
-          nb::for_getter(nb::rv_policy::reference_internal),
-          "Share of RobotConfig.friction that each foot may use, 0 .. 1, shape (4,), FR FL\n"
-          "RR RL.\n\n"
-          "The share of a foot that slips is below 1.");
+      .def_rw("q", &RobotState::q,
+              "Generalised position q of Pinocchio, shape (nq,).\n\n"
+              "Position of the base in the world [m], quaternion x y z w from base to world\n"
+              "axes, joint angles [rad].")
+      .def_rw("v", &RobotState::v,
+              "Generalised velocity v of Pinocchio, shape (nv,).\n\n"
+              "Linear [m/s] and angular [rad/s] velocity of the base in base axes, joint\n"
+              "velocities [rad/s].")
+      .def_rw("contact", &RobotState::contact,
+              "Contact confidence of each foot, 0 .. 1, FR FL RR RL, shape (4,).\n\n"
+              "While the confidence of a stance foot is 0, the gains force_lost_contact and\n"
+              "share_lost_contact limit its load; between 0 and 1 the limits are interpolated.\n"
+              "To lift a foot, use FootReference.stance.")
+      .def_rw("f_external", &RobotState::f_external,
+              "External force through the centre of mass [N], world axes, shape (3,).\n\n"
+              "Pushes and payload are included.")
+      .def_rw("f_sustained", &RobotState::f_sustained,
+              "Sustained part of f_external [N], world axes, shape (3,).\n\n"
+              "A payload causes this force. The holding torques include it.")
+      .def_rw("moment_external", &RobotState::moment_external,
+              "External moment about the centre of mass [N.m], world axes, shape (3,).\n\n"
+              "The estimator sets the sustained part only.")
+      .def_rw("friction", &RobotState::friction,
+              "Share of RobotConfig.friction that each foot may use, 0 .. 1, shape (4,), FR FL\n"
+              "RR RL.\n\n"
+              "The share of a foot that slips is below 1.");
 }
 
 void bind_reference(nb::module_& m) {
-  nb::class_<FootReference>(
+  ValueClass<FootReference>(
       m, "FootReference",
       "Reference of one foot, in the world frame of RobotState. Arrays are writable\n"
       "numpy views.")
@@ -149,67 +112,50 @@ void bind_reference(nb::module_& m) {
               "True for a stance foot; False for a swing foot, planned without force.")
       .def_rw("load", &FootReference::load,
               "Planned load, 0 .. 1. Ramp it up to make contact and down to break contact.")
-      .def_prop_rw("p_world", get(&FootReference::p_world), set("p_world", &FootReference::p_world),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Desired position of the contact point [m], shape (3,).")
-      .def_prop_rw("v_world", get(&FootReference::v_world), set("v_world", &FootReference::v_world),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Desired velocity of the contact point [m/s], shape (3,).")
-      .def_prop_rw("a_world", get(&FootReference::a_world), set("a_world", &FootReference::a_world),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Feed-forward acceleration of the contact point [m/s^2], shape (3,).")
-      .def_prop_rw("f_world", get(&FootReference::f_world), set("f_world", &FootReference::f_world),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Desired ground force on the foot [N], shape (3,); used if\n"
-                   "Reference.use_forces is True.");
-  nb::class_<Reference>(m, "Reference",
+      .def_rw("p_world", &FootReference::p_world,
+              "Desired position of the contact point [m], shape (3,).")
+      .def_rw("v_world", &FootReference::v_world,
+              "Desired velocity of the contact point [m/s], shape (3,).")
+      .def_rw("a_world", &FootReference::a_world,
+              "Feed-forward acceleration of the contact point [m/s^2], shape (3,).")
+      .def_rw("f_world", &FootReference::f_world,
+              "Desired ground force on the foot [N], shape (3,); used if\n"
+              "Reference.use_forces is True.");
+  ValueClass<Reference>(m, "Reference",
                         "Desired motion of the robot in the world frame of RobotState.\n\n"
                         "A planner writes a Reference in each tick. Arrays are writable numpy\n"
                         "views.")
       .def(nb::init<>(), "Create a reference at rest at the world origin.")
       .def_rw("body_point", &Reference::body_point,
               "Point of the body that the position task moves.")
-      .def_prop_rw("p_com", get(&Reference::p_com), set("p_com", &Reference::p_com),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Centre of mass [m], shape (3,); used if it is the body point.")
-      .def_prop_rw("v_com", get(&Reference::v_com), set("v_com", &Reference::v_com),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Velocity of the centre of mass [m/s], shape (3,).")
-      .def_prop_rw("a_com", get(&Reference::a_com), set("a_com", &Reference::a_com),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Feed-forward acceleration of the centre of mass [m/s^2], shape (3,).")
-      .def_prop_rw("p_base", get(&Reference::p_base), set("p_base", &Reference::p_base),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Origin of the base [m], shape (3,); used if it is the body point.")
-      .def_prop_rw("v_base", get(&Reference::v_base), set("v_base", &Reference::v_base),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Velocity of the base origin [m/s], world axes, shape (3,).")
-      .def_prop_rw("a_base", get(&Reference::a_base), set("a_base", &Reference::a_base),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Feed-forward acceleration of the base origin [m/s^2], world axes, shape (3,).")
-      .def_prop_rw(
+      .def_rw("p_com", &Reference::p_com,
+              "Centre of mass [m], shape (3,); used if it is the body point.")
+      .def_rw("v_com", &Reference::v_com, "Velocity of the centre of mass [m/s], shape (3,).")
+      .def_rw("a_com", &Reference::a_com,
+              "Feed-forward acceleration of the centre of mass [m/s^2], shape (3,).")
+      .def_rw("p_base", &Reference::p_base,
+              "Origin of the base [m], shape (3,); used if it is the body point.")
+      .def_rw("v_base", &Reference::v_base,
+              "Velocity of the base origin [m/s], world axes, shape (3,).")
+      .def_rw("a_base", &Reference::a_base,
+              "Feed-forward acceleration of the base origin [m/s^2], world axes, shape (3,).")
+      .def_field<Eigen::Vector4d>(
           "quat_world_base",
           [](const Reference& r) { return Eigen::Vector4d(r.R_world_base.coeffs()); },
-          [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_xyzw(q); },
+          [](Reference& r, FieldName field, nb::handle value) {
+            r.R_world_base = from_xyzw(field_value<Eigen::Vector4d>(field, value));
+          },
           "Orientation of the base, quaternion x y z w as in ``RobotState.q[3:7]``; a copy.\n\n"
           "Assignment raises Error unless the quaternion has unit length.")
-      .def_prop_rw("w_world_base", get(&Reference::w_world_base),
-                   set("w_world_base", &Reference::w_world_base),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Angular velocity of the base [rad/s], world axes, shape (3,).")
-      .def_prop_rw(
-          "alpha_world_base", get(&Reference::alpha_world_base),
-          set("alpha_world_base", &Reference::alpha_world_base),
-          nb::for_getter(nb::rv_policy::reference_internal),
-          "Feed-forward angular acceleration of the base [rad/s^2], world axes, shape (3,).")
-      .def_prop_rw(
-          "L_com", get(&Reference::L_com), set("L_com", &Reference::L_com),
-          nb::for_getter(nb::rv_policy::reference_internal),
-          "Angular momentum about the centre of mass [kg.m^2/s], world axes, shape (3,).\n\n"
-          "Used if gain weight_momentum is above 0.")
-      .def_prop_rw("Ldot_com", get(&Reference::Ldot_com), set("Ldot_com", &Reference::Ldot_com),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "Feed-forward rate of L_com [N.m], world axes, shape (3,).")
+      .def_rw("w_world_base", &Reference::w_world_base,
+              "Angular velocity of the base [rad/s], world axes, shape (3,).")
+      .def_rw("alpha_world_base", &Reference::alpha_world_base,
+              "Feed-forward angular acceleration of the base [rad/s^2], world axes, shape (3,).")
+      .def_rw("L_com", &Reference::L_com,
+              "Angular momentum about the centre of mass [kg.m^2/s], world axes, shape (3,).\n\n"
+              "Used if gain weight_momentum is above 0.")
+      .def_rw("Ldot_com", &Reference::Ldot_com,
+              "Feed-forward rate of L_com [N.m], world axes, shape (3,).")
       .def(
           "foot",
           [](Reference& r, int leg) -> FootReference& {
@@ -219,24 +165,31 @@ void bind_reference(nb::module_& m) {
           "leg"_a, nb::rv_policy::reference_internal,
           "Return the FootReference of a leg; changes to it change this object.\n\n"
           "The legs are 0 FR, 1 FL, 2 RR, 3 RL. Raises IndexError for another number.")
+      .def_part(
+          "feet",
+          [](nb::handle self) {
+            nb::list feet;
+            for (int leg = 0; leg < kLegs; ++leg) feet.append(self.attr("foot")(leg));
+            return feet;
+          },
+          [](nb::handle self, nb::handle feet) {
+            for (int leg = 0; leg < kLegs; ++leg) {
+              nb::cast<Reference&>(self).feet[leg] = nb::cast<FootReference>(feet[leg]);
+            }
+          })
       .def_rw("use_forces", &Reference::use_forces,
               "True if the QP regularises the forces towards foot(i).f_world, False if towards\n"
               "the even forces.")
-      .def_prop_rw(
-          "posture", get(&Reference::posture), set("posture", &Reference::posture),
-          nb::for_getter(nb::rv_policy::reference_internal),
-          "Joint angles of the posture task [rad], shape (nv - 6,), order of ``v[6:]``.\n\n"
-          "An empty array selects the standing pose.")
-      .def_prop_rw(
-          "ground_normal", get(&Reference::ground_normal),
-          set("ground_normal", &Reference::ground_normal),
-          nb::for_getter(nb::rv_policy::reference_internal),
-          "Ground normal, the same for all feet, shape (3,); unit length, pointing out of\n"
-          "the ground.");
+      .def_rw("posture", &Reference::posture,
+              "Joint angles of the posture task [rad], shape (nv - 6,), order of ``v[6:]``.\n\n"
+              "An empty array selects the standing pose.")
+      .def_rw("ground_normal", &Reference::ground_normal,
+              "Ground normal, the same for all feet, shape (3,); unit length, pointing out of\n"
+              "the ground.");
 }
 
 void bind_solution(nb::module_& m) {
-  nb::class_<Solution>(m, "Solution",
+  ValueClass<Solution>(m, "Solution",
                        "Solution of the whole-body QP.\n\n"
                        "If the status is neither OK nor SATURATED, all fields other than status,\n"
                        "iterations and residuals keep the values of the last good tick.")

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nanobind/eigen/dense.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 
 #include "bindings.hpp"
 #include "pending_error.hpp"
 #include "surefoot/whole_body_controller.hpp"
+#include "value_class.hpp"
 
-namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
 
 void bind_options(nb::module_& m) {
-  nb::class_<WholeBodyOptions>(
+  ValueClass<WholeBodyOptions>(
       m, "WholeBodyOptions",
       "Options of a WholeBodyController: fixed at construction, unlike gains.")
       .def(
           "__init__",
-          [](WholeBodyOptions* o, QpForm form, double tolerance) {
-            new (o) WholeBodyOptions{form, tolerance};
+          [](WholeBodyOptions* o, FieldArgument<QpForm> form, FieldArgument<double> tolerance) {
+            constexpr const char* kType = "WholeBodyOptions";
+            new (o) WholeBodyOptions{form.to(kType, "form"), tolerance.to(kType, "tolerance")};
           },
           "form"_a = QpForm::kAuto, "tolerance"_a = 1e-6,
           "Create options; the arguments are the attributes.")

@@ -174,7 +174,7 @@ def test_invalid_datagrams_are_counted_by_reason() -> None:
     for reason, frame in bad.items():
         stepped.put_datagram(frame, (reason, 1))
         stepped.run(0.001)
-    assert stepped.robot.link.rejected == dict.fromkeys(bad, 1)
+    assert stepped.robot.link.rejected.counts == dict.fromkeys(bad, 1)
     assert stepped.robot.link.commands == 0
     assert stepped.robot.command is None
     answered = {address[0] for _, address in stepped.port.outbox}
@@ -187,7 +187,7 @@ def test_random_datagrams_of_any_length_are_rejected() -> None:
     for size in [0, 1, 3, 602, 610, 614, 2048, *rng.integers(0, 1500, 100).tolist()]:
         stepped.put_datagram(rng.bytes(size))
     stepped.run(0.02)
-    assert stepped.robot.link.received == sum(stepped.robot.link.rejected.values()) == 107
+    assert stepped.robot.link.received == sum(stepped.robot.link.rejected.counts.values()) == 107
 
 
 def test_flood_is_read_in_part_and_the_newest_command_applies() -> None:

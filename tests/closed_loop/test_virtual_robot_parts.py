@@ -194,7 +194,12 @@ def test_status_line_contains_rates_rejections_and_mode() -> None:
     stepped.put_datagram(b"noise")
     stepped.run(0.5, servo(POSE))
     line = status.line(1.001)
-    for text in ("commands 250 Hz, 250", "rejected 1 (wrong length 1)", "motors servo", "x 0.50"):
+    for text in (
+        "commands 250 Hz, 250",
+        "rejected 1 (wrong length 1: 5 bytes",
+        "motors servo",
+        "x 0.50",
+    ):
         assert text in line
     assert "249 repeated" in line and "lost" not in line and "overtaken" not in line
     stepped.run(0.2)

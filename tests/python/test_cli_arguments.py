@@ -315,8 +315,11 @@ def test_closed_stdout_causes_no_traceback():
 def test_mujoco_gl_is_set_without_a_display(monkeypatch):
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL"):
         monkeypatch.delenv(name, raising=False)
-    choose_graphics()
+    choose_graphics(pictures=True)
     assert os.environ["MUJOCO_GL"] in ("egl", "disable")
-    monkeypatch.setenv("MUJOCO_GL", "osmesa")
-    choose_graphics()
-    assert os.environ["MUJOCO_GL"] == "osmesa"
+
+
+def test_mujoco_loads_no_graphics_for_a_command_without_pictures(monkeypatch):
+    monkeypatch.setenv("MUJOCO_GL", "foo")
+    choose_graphics(pictures=False)
+    assert os.environ["MUJOCO_GL"] == "disable"

@@ -154,8 +154,44 @@ def test_clock_in_another_unit_is_converted_with_a_note(change, unit, lines, tmp
     assert log.notes == (f"column 'time' is read in {unit} and converted to seconds",)
 
 
+def test_name_of_a_clock_states_its_unit(tmp_path) -> None:
+    table = small_table(ROWS)
+    stamps = table.pop("time")
+    path = small_csv(tmp_path / "a.csv", {"time_ms": [[1.5 + 1e3 * t] for (t,) in stamps], **table})
+    log = read_log(path)
+    np.testing.assert_allclose(log.time, 0.002 * np.arange(ROWS), atol=1e-9)
+    assert log.notes == ("column 'time' is read in milliseconds and converted to seconds",)
+
+
+SLOW = {
+    "seconds in the name": ({"time_s": [[float(k)] for k in range(ROWS)]}, "s in seconds"),
+    "fractions": ({"time": [[1.003 * k] for k in range(ROWS)]}, "got 1.003 and a median step of"),
+    "tick beside a clock in seconds": (
+        {
+            "tick": [[1000 * k] for k in range(ROWS)],
+            "time_s": [[float(k)] for k in range(ROWS)],
+        },
+        "column 'time': got a median step of 1, expected 0.0004",
+    ),
+    "tick beside another duration": (
+        {"tick": [[1000 * k] for k in range(ROWS)], "time": [[0.02 * k] for k in range(ROWS)]},
+        "column 'tick': got a duration of 0.007 s, expected that of column 'time', 0.14 s",
+    ),
+    "five rows a second": ({"tick": [[200 * k] for k in range(ROWS)]}, "median step of 200"),
+}
+
+
+@pytest.mark.parametrize(("clocks", "words"), SLOW.values(), ids=SLOW)
+def test_slow_log_is_not_taken_for_a_fast_one_in_another_unit(clocks, words, tmp_path) -> None:
+    table = {name: v for name, v in small_table(ROWS).items() if name != "time"}
+    with pytest.raises(Error) as refused:
+        read_log(small_csv(tmp_path / "a.csv", {**clocks, **table}))
+    assert words in str(refused.value)
+
+
 def test_tick_in_microseconds_is_converted_and_wraps(tmp_path) -> None:
     table = small_table(ROWS)
+    del table["time"]
     table["tick"] = [[(2**32 - 5000 + 2000 * k) % 2**32] for k in range(ROWS)]
     log = read_log(small_csv(tmp_path / "a.csv", table))
     np.testing.assert_allclose(log.time, 0.002 * np.arange(ROWS), atol=1e-12)

@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from mutate_logs import ROBOTS, _judge, reference, run_case
 
+pytestmark = pytest.mark.slow
 COUNT = 60
 
 

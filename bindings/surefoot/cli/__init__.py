@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Sequence
 
 from surefoot._core import Error
 from surefoot.cli.arguments import parse_arguments
+from surefoot.cli.graphics import kept_environment
+from surefoot.system.command_process import (
+    INTERRUPTED,
+    Interruptible,
+    discard_stream,
+    was_interrupted,
+)
 
 # Exit statuses.
 DONE = 0
+FILE_ERROR = 1
 WRONG_ARGUMENT = 2
-INTERRUPTED = 130
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -26,23 +32,49 @@ def main(argv: Sequence[str] | None = None) -> int:
         130 interrupted. An error is reported in one line on stderr.
     """
     argv = list(sys.argv[1:] if argv is None else argv)
-    try:
-        arguments = parse_arguments(argv)
-        arguments.argv = argv
-        status = arguments.run(arguments) or DONE
-        sys.stdout.flush()
-    except SystemExit as end:  # raised by argparse after --help, --version or its own error line
-        return int(end.code or 0)
-    except Error as problem:
-        return _print_error(str(problem), WRONG_ARGUMENT)
-    except BrokenPipeError:  # the reader of stdout has closed, as in surefoot gains | head
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
-    except OSError as problem:
-        return _print_error(str(problem), 1)
-    except KeyboardInterrupt:
+    with Interruptible():
+        try:
+            status = _run(argv)
+            sys.stdout.flush()
+        except BaseException as problem:
+            status = _report(problem)
+    return status
+
+
+def _run(argv: Sequence[str]) -> int:
+    arguments = parse_arguments(argv)
+    # Reports show the words. A file name that is not UTF-8 would end the writing of a report.
+    arguments.argv = [word.encode("utf-8", "backslashreplace").decode() for word in argv]
+    with kept_environment():
+        return int(arguments.run(arguments) or DONE)
+
+
+def _report(problem: BaseException) -> int:
+    """Print an exception in one line; return the exit status. Raise a programming error again."""
+    if isinstance(problem, SystemExit):  # raised by argparse after --help or its own error line
+        return int(problem.code or 0)
+    if isinstance(problem, KeyboardInterrupt) or was_interrupted():
         return _print_error("interrupted", INTERRUPTED)
-    return int(status)
+    if isinstance(problem, Error):
+        return _print_error(str(problem), WRONG_ARGUMENT)
+    if isinstance(problem, BrokenPipeError):  # the reader of stdout has closed, as in gains | head
+        _discard_unwritable_text()
+        return FILE_ERROR
+    if isinstance(problem, OSError):
+        _discard_unwritable_text()
+        return _print_error(str(problem), FILE_ERROR)
+    if isinstance(problem, UnicodeError):
+        text = f"a file name cannot be encoded ({problem}), expected a UTF-8 locale"
+        return _print_error(f"{text}; run: export LC_ALL=C.UTF-8", WRONG_ARGUMENT)
+    raise problem
+
+
+def _discard_unwritable_text() -> None:
+    """Discard the buffer of stdout if it cannot be written: Python would try again at its end."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        discard_stream(sys.stdout)
 
 
 def _print_error(text: str, status: int) -> int:

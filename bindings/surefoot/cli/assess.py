@@ -70,7 +70,7 @@ def assess(arguments: argparse.Namespace) -> None:
         Error: A wrong argument, scenario or store.
         OSError: A file could not be written.
     """
-    choose_graphics()
+    choose_graphics(pictures=arguments.report is not None)
     check_json_path(arguments.json)
     check_output_path("--store", arguments.store)
     check_report_folder(arguments.report, "assess", "surefoot.assess.report")

@@ -56,7 +56,7 @@ def bench(arguments: argparse.Namespace) -> None:
     Raises:
         Error: A wrong argument.
     """
-    choose_graphics()
+    choose_graphics(pictures=False)
     check_options(arguments)
     if arguments.solvers is not None:
         return bench_solvers(arguments)

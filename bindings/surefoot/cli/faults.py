@@ -93,7 +93,7 @@ def faults(arguments: argparse.Namespace) -> int | None:
     if arguments.names:
         print(fault_names_text())
         return None
-    choose_graphics()
+    choose_graphics(pictures=False)
     check_json_path(arguments.json)
     check_output_path("--store", arguments.store)
     check_report_folder(arguments.report, "faults", "surefoot.faults.matrix.matrix_report")

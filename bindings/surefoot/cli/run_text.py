@@ -30,7 +30,9 @@ class LinkWarnings:
         warnings = {
             "another sender uses this port; its datagrams are ignored": link.strangers,
             "more datagrams arrive than a tick reads: the peer sends too fast": link.floods,
-            f"a datagram was rejected: {snapshot.last_reject}": link.corrupt + link.wrong_length,
+            f"a datagram was rejected: {snapshot.last_reject}": (
+                link.corrupt + link.wrong_length + link.wrong_generation
+            ),
             "sending failed: check the network route": link.send_failed,
         }
         for text, count in warnings.items():
@@ -103,6 +105,7 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
         "stuck": end.rise_failed,
         "fault": end.controller_fault.name,
         "reject": end.last_reject,
+        "rejected_frame": end.rejected_frame,
         "time_s": end.time,
         "ticks": end.ticks,
         "usable_ticks": end.usable_ticks,
@@ -136,6 +139,7 @@ def closing_text(result: dict[str, Any]) -> str:
         f"power up to {result['greatest_power_w']:.0f} W, faults {faults}\n"
         f"  link  {link['valid']} states, {link['lost']} lost, {link['late']} late, "
         f"{link['duplicate']} duplicate, {link['reordered']} reordered, {link['corrupt']} corrupt, "
+        f"{link['wrong_generation']} of another generation, "
         f"{link['strangers']} from other senders, {link['floods']} floods\n"
         f"  tick  {us['tick_p50']:.0f} us median, {us['tick_p90']:.0f} p90, {us['tick_p99']:.0f} "
         f"p99, {us['tick_p999']:.0f} p99.9, {us['tick_max']:.0f} max; woken {us['wake_p50']:.0f} "
@@ -147,7 +151,9 @@ def closing_text(result: dict[str, Any]) -> str:
 def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
     """Return the reason why no robot was controlled, as text for the operator."""
     if end.reason == "wrong_generation":
-        return f"the robot at {where} does not use {generation}: {end.last_reject}; see --sdk"
+        frame = end.rejected_frame
+        remedy = f"use --sdk {frame['generation']}" if frame else "see --sdk"
+        return f"the robot at {where} does not use {generation}: {end.last_reject}; {remedy}"
     if end.link.received:
         return f"no valid LowState from {where}: {end.last_reject}"
     if where.startswith("127."):

@@ -39,7 +39,7 @@ def stand(arguments: argparse.Namespace) -> int:
     Raises:
         Error: A wrong argument.
     """
-    choose_graphics()
+    choose_graphics(pictures=arguments.report is not None)
     try:
         from surefoot.stand import SensorRecorder, run_stand, stand_recording, summarise
         from surefoot.stand.summary_text import summary_text

@@ -67,7 +67,7 @@ def run(arguments: argparse.Namespace) -> None:
         Error: A wrong argument.
         OSError: The port of the page is taken or not permitted.
     """
-    choose_graphics()
+    choose_graphics(pictures=False)
     try:
         from surefoot.tune.live.gain_folder import GainFolder
         from surefoot.tune.live.page import Page

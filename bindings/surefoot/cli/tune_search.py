@@ -88,7 +88,7 @@ def run(arguments: argparse.Namespace) -> None:
         Error: A wrong argument, store or cluster.
         OSError: A file could not be written.
     """
-    choose_graphics()
+    choose_graphics(pictures=arguments.report is not None)
     check_json_path(arguments.json)
     check_output_path("--toml", arguments.toml)
     check_output_path("--store", arguments.store)

@@ -27,7 +27,7 @@ def robot(arguments: argparse.Namespace) -> None:
         Error: A wrong argument.
         OSError: The port is taken or not permitted, or a file could not be written.
     """
-    choose_graphics()
+    choose_graphics(pictures=arguments.view)
     try:
         from surefoot.virtual_robot import RunOptions, run_robot
     except ModuleNotFoundError as problem:

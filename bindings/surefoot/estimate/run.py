@@ -15,7 +15,7 @@ from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.joint_velocities import METHOD, derive_velocities
 from surefoot.estimate.low_states import finite_rows, low_state_blocks
 from surefoot.geometry.batch_rotations import Array
-from surefoot.sensor_log.clock import MAX_STEP
+from surefoot.sensor_log.clock_unit import MAX_STEP
 from surefoot.sensor_log.column_definitions import FOOT_COLUMNS
 from surefoot.sensor_log.sensor_log import SensorLog
 

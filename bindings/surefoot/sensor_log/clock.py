@@ -9,13 +9,15 @@ import numpy.typing as npt
 
 from surefoot._core import Error
 from surefoot.geometry.batch_rotations import Array
+from surefoot.sensor_log.clock_unit import (
+    OWN_UNITS,
+    UNITS,
+    check_duration,
+    check_whole_stamps,
+    find_unit,
+)
 from surefoot.sensor_log.log_table import row_place
 
-# Equal to kMaxTimeStep in state_estimator.cpp.
-MAX_STEP = 0.1  # [s] largest dt that the estimator receives; longer steps are gaps
-# [s] Smallest median step. Derived: MAX_STEP / 1000, so that exactly one unit of _UNITS fits.
-MIN_STEP = 1e-4
-_UNITS = {"seconds": 1.0, "milliseconds": 1e-3, "microseconds": 1e-6, "nanoseconds": 1e-9}
 # Share of rows that repeat the clock, above which the clock is too coarse. Chosen: a log at 1 kHz
 # of a robot at 250 Hz repeats 0.75.
 MAX_REPEATED = 0.9
@@ -27,34 +29,27 @@ def read_clock(
     columns: dict[str, Array],
     place: Callable[[int], str] = row_place,
     notes: list[str] | None = None,
+    time_unit: str | None = None,
 ) -> tuple[str, Array]:
     """Return the name of the clock column, and the time (n,) of each row since the first row [s].
 
     The function uses `tick`, the clock of the robot. If `tick` is missing or constant, it uses
     `time`, which is often the clock of the recorder. Rows with a non-finite clock have time NaN.
-    The median step tells the unit: steps are expected between 0.1 ms and 0.1 s.
+    The median step tells the unit if the column's name does not: steps are expected between 0.4 ms
+    and 0.1 s. Clocks in other units than the column's own count whole numbers.
 
     Args:
         source: Name of the log, for messages.
         columns: Columns of the log by name.
         place: Function that returns the place of a row in the file, for messages.
         notes: List that receives a sentence about each conversion.
+        time_unit: Unit that the name of `time` in the file states, or None.
 
     Raises:
         Error: The clock goes backwards, is constant or too coarse, or no unit fits its steps.
     """
     notes = [] if notes is None else notes
-    names = [name for name in ("tick", "time") if name in columns]
-    advancing = [name for name in names if np.ptp(_finite(columns[name][:, 0])) > 0.0]
-    if not advancing and len(columns[names[0]]) == 1:
-        advancing = names  # a log of one row cannot show whether its clock advances
-    if not advancing:
-        name, count = names[0], len(columns[names[0]])
-        value = columns[name][0, 0]
-        raise Error(
-            f"{source}: column '{name}': got the same value {value:g} in {count} rows, "
-            "expected a clock that advances"
-        )
+    advancing = _advancing_clocks(source, columns)
     name = advancing[0]
     stamps = columns[name][:, 0]
     good = np.isfinite(stamps)
@@ -62,9 +57,13 @@ def read_clock(
     elapsed = _elapsed(source, name, stamps[good], rows, place)
     steps = np.diff(elapsed)
     _check_steps(source, name, stamps, steps, rows, place)
-    unit = _unit(source, name, steps)
-    own_unit = "milliseconds" if name == "tick" else "seconds"
+    stated = time_unit if name == "time" else None
+    unit, own_unit = find_unit(source, name, steps, stated), OWN_UNITS[name]
     if unit != own_unit:
+        if stated is None:
+            check_whole_stamps(source, name, stamps[good])
+        if name == "tick" and "time" in advancing:
+            check_duration(source, UNITS[unit] * elapsed, columns["time"][:, 0], time_unit)
         notes.append(f"column '{name}' is read in {unit} and converted to {own_unit}")
     repeated = np.flatnonzero(steps == 0.0)
     if len(repeated):
@@ -73,8 +72,22 @@ def read_clock(
             f"the first is {place(int(rows[repeated[0] + 1]))}"
         )
     time = np.full(len(stamps), np.nan)
-    time[good] = _UNITS[unit] * elapsed
+    time[good] = UNITS[unit] * elapsed
     return name, time
+
+
+def _advancing_clocks(source: str, columns: dict[str, Array]) -> list[str]:
+    """Return the names of the clocks that advance, the best first; raise Error if none does."""
+    names = [name for name in OWN_UNITS if name in columns]
+    advancing = [name for name in names if np.ptp(_finite(columns[name][:, 0])) > 0.0]
+    count = len(columns[names[0]])
+    if not advancing and count > 1:  # a log of one row cannot show whether its clock advances
+        value = columns[names[0]][0, 0]
+        raise Error(
+            f"{source}: column '{names[0]}': got the same value {value:g} in {count} rows, "
+            "expected a clock that advances"
+        )
+    return advancing or names
 
 
 def _finite(values: Array) -> Array:
@@ -127,24 +140,3 @@ def _check_steps(
             f"{np.count_nonzero(steps == 0.0)} of {len(rows)} rows, expected a new one in each; "
             "were its digits cut off?"
         )
-
-
-def _unit(source: str, name: str, steps: Array) -> str:
-    """Return the unit of a clock with these steps.
-
-    Raises:
-        Error: The median step is outside 0.1 ms .. 0.1 s in every unit.
-    """
-    own_unit = "milliseconds" if name == "tick" else "seconds"
-    positive = steps[steps > 0.0]
-    if len(positive) == 0:
-        return own_unit  # a log of one row
-    median = float(np.median(positive))
-    for unit, scale in _UNITS.items():
-        # The margin lets a step of 0.1 s pass that is rounded.
-        if MIN_STEP < median * scale * (1.0 - 1e-9) <= MAX_STEP:
-            return unit
-    raise Error(
-        f"{source}: column '{name}': got a median step of {median:g}, expected {MIN_STEP:g} .. "
-        f"{MAX_STEP:g} s: is it in seconds, milliseconds, microseconds or nanoseconds?"
-    )

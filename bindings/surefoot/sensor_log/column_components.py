@@ -16,7 +16,7 @@ from surefoot.sensor_log.column_definitions import (
 )
 from surefoot.sensor_log.column_map import ColumnMap
 from surefoot.sensor_log.column_names import find_column
-from surefoot.sensor_log.foreign_names import clock_rank
+from surefoot.sensor_log.foreign_names import clock_rank, clock_unit
 
 Location = TypeVar("Location")
 
@@ -76,6 +76,12 @@ class ColumnComponents(Generic[Location]):
                 f"{self._source}: column '{name}': got '{first}' and '{text}', expected it once"
             )
         self._locations[column.name, index] = (text, location)
+
+    @property
+    def time_unit(self) -> str | None:
+        """Unit that the name of the column `time` states; None if it states none."""
+        text = self._locations["time", 0][0] if ("time", 0) in self._locations else ""
+        return clock_unit(text.strip().lower())
 
     def ordered(self) -> dict[str, list[Location]]:
         """Return the locations of the components of each column, in component order.

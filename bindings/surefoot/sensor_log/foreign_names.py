@@ -56,6 +56,12 @@ _OTHER = re.compile(r"odom|pose|twist|truth|covariance|cmd|command|desired|targe
 _MATCHERS = [(column, re.compile(rf"(?:.*[./_])?{text}")) for column, text in _COMPONENTS]
 _TRUTH_MATCHERS = [(column, re.compile(text)) for column, text in _TRUTH_COMPONENTS]
 _CLOCK_MATCHERS = [re.compile(text) for text in _CLOCKS]
+# rostopic prints nanoseconds, PlotJuggler seconds.
+_UNIT_OF_CLOCK = {"%time": "nanoseconds", "__time": "seconds"}
+_UNIT_OF_SUFFIX = {
+    **dict.fromkeys(("s", "sec", "secs", "seconds"), "seconds"),
+    **{"ms": "milliseconds", "us": "microseconds", "ns": "nanoseconds", "nsec": "nanoseconds"},
+}
 _AXES = {4: ("w", "x", "y", "z"), 3: ("x", "y", "z")}
 
 
@@ -115,6 +121,14 @@ def clock_rank(word: str) -> int | None:
         if matcher.fullmatch(word):
             return rank
     return None
+
+
+def clock_unit(word: str) -> str | None:
+    """Return the unit that a clock's name (lower case) states: "seconds" .. "nanoseconds"."""
+    if word in _UNIT_OF_CLOCK or _STAMP_PART.fullmatch(word):
+        return _UNIT_OF_CLOCK.get(word, "seconds")
+    match = re.fullmatch(r".*[_ \[(]+(?P<unit>[a-z]+)[\])]?", word)
+    return None if match is None else _UNIT_OF_SUFFIX.get(match["unit"])
 
 
 def stamp_part(word: str) -> str | None:

@@ -22,9 +22,11 @@ class LogTable:
         ignored: Unknown names in the file.
         notes: What the reader converted or left out, one sentence each.
         place: Function that returns the place of a row in the file, for messages ("line 7").
+        time_unit: Unit that the file's name of the column `time` states; None if it states none.
     """
 
     columns: dict[str, Array]
     ignored: list[str]
     notes: list[str] = field(default_factory=list)
     place: Callable[[int], str] = row_place
+    time_unit: str | None = None

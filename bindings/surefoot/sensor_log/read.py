@@ -59,7 +59,7 @@ def read_log(path: str | Path, columns: str | Path | None = None) -> SensorLog:
         raise Error(f"log: cannot read '{source}': {problem.strerror or problem}") from None
     values, notes = _within_float32(table.columns), list(table.notes)
     warnings = _drop_never_finite(source, values)
-    clock, time = read_clock(source, values, table.place, notes)
+    clock, time = read_clock(source, values, table.place, notes, table.time_unit)
     notes += _non_finite_notes(values, clock, table.place)
     if clock == "time" and "tick" in values:
         warnings.append("tick is constant: the clock is time")

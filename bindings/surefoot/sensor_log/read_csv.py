@@ -57,6 +57,7 @@ def read_csv(path: Path, column_map: ColumnMap) -> LogTable:
         components.ignored,
         [*notes, *lines.notes],
         lambda row: f"line {numbers[row]}",
+        components.time_unit,
     )
 
 

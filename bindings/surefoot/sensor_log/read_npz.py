@@ -63,7 +63,7 @@ def _read_arrays(source: str, file: np.lib.npyio.NpzFile, column_map: ColumnMap)
     if 0 in lengths:
         raise Error(f"{source}: got columns without rows, expected one row per LowState")
     columns = {name: np.stack(parts, axis=1) for name, parts in places.items()}
-    return LogTable(columns, components.ignored, notes)
+    return LogTable(columns, components.ignored, notes, time_unit=components.time_unit)
 
 
 def _column_array(

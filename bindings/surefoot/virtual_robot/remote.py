@@ -43,7 +43,7 @@ def read_remote_script(path: str | Path) -> tuple[RemoteEvent, ...]:
         Error: The file cannot be read, or a line is invalid; the message has the line number.
     """
     try:
-        lines = Path(path).read_text(encoding="utf-8").splitlines()
+        lines = Path(path).read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as problem:
         reason = getattr(problem, "strerror", None) or "it is not text"
         raise Error(f"remote: cannot read '{path}': {reason}") from None

@@ -115,6 +115,8 @@ class VirtualRobot:
     def _receive_command(self) -> None:
         time = self.time
         cmd = self.link.receive(time)
+        for line in self.link.rejected.take_news():
+            self._on_message(f"{time:.3f} s: {line}")
         if cmd is not None:
             self.command = self.plant.read_command(cmd)
             self.plant.apply_law(command_law(self.command))

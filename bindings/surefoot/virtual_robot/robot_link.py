@@ -10,6 +10,11 @@ from surefoot import protocol
 from surefoot._core import Error
 from surefoot.protocol import ReceivedLowCmd
 from surefoot.virtual_robot.channel import Channel
+from surefoot.virtual_robot.rejected_datagrams import (
+    WRONG_GENERATION,
+    WRONG_LENGTH,
+    RejectedDatagrams,
+)
 from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import Address, DatagramPort
 
@@ -45,7 +50,7 @@ class RobotLink:
             motors did not receive them.
         repeated: Number of commands that equal the command before in every byte. If the robot
             should move, a large number means that the sender computes no new commands.
-        rejected: Number of rejected datagrams, by reason.
+        rejected: Rejected datagrams, counted by reason.
         sent: Number of datagrams sent, including those that the channel loses.
         unsent: Number of datagrams that could not be sent.
     """
@@ -63,7 +68,7 @@ class RobotLink:
         self._last_command = b""
         self._peer_hold_time = max(settings.timeout, _MIN_PEER_HOLD_TIME)  # [s] after a command
         self._last_command_time = -math.inf  # [s]
-        self.rejected: dict[str, int] = {}
+        self.rejected = RejectedDatagrams(settings.generation)
 
     @property
     def lost(self) -> tuple[int, int]:
@@ -105,8 +110,7 @@ class RobotLink:
         try:
             cmd = protocol.decode_low_cmd(data, self._generation)
         except Error:
-            reason = rejection_reason(data, self._generation)
-            self.rejected[reason] = self.rejected.get(reason, 0) + 1
+            self.rejected.add(rejection_reason(data, self._generation), data)
             return None
         self.commands += 1
         self.repeated += data == self._last_command
@@ -129,7 +133,7 @@ def rejection_reason(data: bytes, generation: str) -> str:
         return "blank"
     if len(data) != protocol.frame_sizes(generation)[0]:
         lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
-        return "wrong generation" if len(data) in lengths else "wrong length"
+        return WRONG_GENERATION if len(data) in lengths else WRONG_LENGTH
     if generation.endswith("-v3.8"):  # only frames of v3.8 have this header
         if data[:2] != b"\xfe\xef":
             return "wrong head"

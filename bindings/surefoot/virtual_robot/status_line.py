@@ -45,7 +45,7 @@ class StatusLine:
                 f"{robot.time:.1f} s",
                 f"samples {sent / seconds:.0f} Hz",
                 f"commands {commands / seconds:.0f} Hz, {commands_text(link)}",
-                f"rejected {rejected_text(link.rejected)}",
+                f"rejected {link.rejected.text()}",
                 mode_text(robot),
                 f"height {robot.height:.3f} m",
                 f"tilt {math.degrees(robot.tilt):.1f} deg",
@@ -63,15 +63,6 @@ def commands_text(link: RobotLink) -> str:
     parts += [f"{link.overtaken} overtaken"] if link.overtaken else []
     parts += [f"lost {lost_in} in, {lost_out} out"] if lost_in or lost_out else []
     return ", ".join(parts)
-
-
-def rejected_text(rejected: dict[str, int]) -> str:
-    """Return the number of rejected datagrams and of each reason as text, most frequent first."""
-    if not rejected:
-        return "0"
-    reasons = sorted(rejected.items(), key=lambda item: -item[1])
-    text = ", ".join(f"{reason} {count}" for reason, count in reasons)
-    return f"{sum(rejected.values())} ({text})"
 
 
 def mode_text(robot: VirtualRobot) -> str:

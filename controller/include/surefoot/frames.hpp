@@ -74,6 +74,7 @@ struct FrameReport {
   std::size_t size = 0;    ///< [bytes] length of the frame
   Generation expected = Generation::kGo1v38;  ///< generation that the caller passed
   Generation detected = Generation::kGo1v38;  ///< generation with frames of this length
+  std::size_t expected_size = 0;              ///< [bytes] length of a frame of `expected`
 };
 /// Describe the result in a sentence. Real-time: no.
 std::string to_text(const FrameReport& report);

@@ -48,6 +48,8 @@ std::string to_text(const FrameReport& report) {
       (report.motor < 0 ? "" : "motor " + std::to_string(report.motor) + ", ") + report.field;
   const std::string got = "got " + std::to_string(report.size) + " bytes";
   const std::string expected = to_string(report.expected);
+  const std::string expected_frame =
+      ", expected " + std::to_string(report.expected_size) + " bytes, a frame of " + expected;
   switch (report.status) {
     case FrameStatus::kOk:
       return "ok";
@@ -56,10 +58,9 @@ std::string to_text(const FrameReport& report) {
     case FrameStatus::kNotFinite:
       return field + ": got NaN or infinity, expected a finite number";
     case FrameStatus::kWrongLength:
-      return got + ", the length of no generation's frame, expected a frame of " + expected;
+      return got + ", the length of no generation's frame" + expected_frame;
     case FrameStatus::kWrongGeneration:
-      return got + ", a frame of " + to_string(report.detected) + ", expected a frame of " +
-             expected;
+      return got + ", a frame of " + to_string(report.detected) + expected_frame;
     case FrameStatus::kBlank:
       return got + ", all zero, as the vendor's SDK sends before its first command";
     case FrameStatus::kWrongHead:

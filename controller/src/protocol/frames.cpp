@@ -17,7 +17,7 @@ FrameReport encode(const FrameLayout& layout, Generation generation, Struct mess
                    const FrameExtras& extras, Frame& out) noexcept {
   FrameReport report;
   report.expected = report.detected = generation;
-  report.size = layout.size;
+  report.size = report.expected_size = layout.size;
   message.head = {0xFE, 0xEF};
   if (layout.has_header) message.levelFlag = LOWLEVEL;
   Frame frame;
@@ -62,6 +62,7 @@ FrameReport decode(LayoutFunction layout_of, const std::uint8_t* data, std::size
   report.expected = report.detected = generation;
   report.size = size;
   const FrameLayout& layout = layout_of(generation);
+  report.expected_size = layout.size;
   report.status = check_length(size, layout_of, report);
   if (report.status == FrameStatus::kOk) report.status = check_header_and_crc(layout, data);
   if (report.status != FrameStatus::kOk) return report;

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from surefoot._core import Error
-from surefoot.system.worker_processes import spawn_pool
+from surefoot.system.worker_processes import killed_on_error, spawn_pool
 from surefoot.tune.search.rollout import Outcome, TrialJob, evaluate_exclusively
 
 # [s] Longest time to connect to the scheduler, and to disconnect. Chosen: longer than a slow
@@ -72,9 +72,9 @@ class ProcessPool:
         """
         self._pool.submit(int)
 
-    def close(self) -> None:
-        """End the processes after their running trials."""
-        self._pool.shutdown(wait=True, cancel_futures=True)
+    def close(self, wait: bool = True) -> None:
+        """End the processes: after their running trials, or without waiting for them."""
+        self._pool.shutdown(wait, cancel_futures=True)
 
 
 class DaskCluster:
@@ -125,20 +125,25 @@ class DaskCluster:
                 "start the search again, with the same --store to keep the finished trials"
             )
 
-    def close(self) -> None:
-        """Disconnect from the cluster; its workers keep running."""
-        self._client.close(timeout=CLUSTER_TIMEOUT)
+    def close(self, wait: bool = True) -> None:
+        """Disconnect from the cluster, at once or in time for it; its workers keep running."""
+        self._client.close(timeout=CLUSTER_TIMEOUT if wait else 1.0)
 
 
 @contextmanager
 def open_worker_pool(jobs: int, cluster: str | None) -> Iterator[ProcessPool | DaskCluster]:
     """Yield a pool of `jobs` processes, or the DaskCluster at `cluster`; close it at the end.
 
+    On Ctrl-C or any other exception, the processes are killed.
+
     Raises:
         Error: No scheduler answers, or the cluster has no workers.
     """
-    worker_pool = ProcessPool(jobs) if cluster is None else DaskCluster(cluster)
-    try:
-        yield worker_pool
-    finally:
+    with killed_on_error():
+        worker_pool = ProcessPool(jobs) if cluster is None else DaskCluster(cluster)
+        try:
+            yield worker_pool
+        except BaseException:
+            worker_pool.close(wait=False)
+            raise
         worker_pool.close()
