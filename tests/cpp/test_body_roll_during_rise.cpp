@@ -63,7 +63,7 @@ struct CaughtLegs {
   /// Return whether the left legs are weighed: folded, with the hip outward.
   bool is_weighing() const {
     const double out =
-        std::copysign(report.motorState[FL_0].q - plan.folded[FL_0], plan.hip_outward_max[FL_0]);
+        std::copysign(report.motorState[FL_0].q - plan.folded[FL_0], plan.hip_outward_limit[FL_0]);
     return std::abs(report.motorState[FL_1].q - plan.folded[FL_1]) < 0.1 && std::abs(out) > 0.15 &&
            folded_once;
   }

@@ -61,7 +61,7 @@ BOOST_FIXTURE_TEST_CASE(legs_fold_from_random_joint_angles, FoldingLegs) {
 
 // Bent, the leg would lift the body while its hip opens.
 BOOST_FIXTURE_TEST_CASE(leg_tucked_inward_is_extended_before_its_hip_abducts, FoldingLegs) {
-  const double in = -plan.hip_outward_max[0];
+  const double in = -plan.hip_outward_limit[0];
   q.head<3>() << in, -0.4, plan.lower[2];
   legs.start(q, up());
   while (std::abs(q[0] - in) < 0.05 && run(kTick) > 0.0) {
@@ -73,7 +73,7 @@ BOOST_FIXTURE_TEST_CASE(leg_tucked_inward_is_extended_before_its_hip_abducts, Fo
 }
 
 BOOST_FIXTURE_TEST_CASE(legs_are_released_and_extended_when_the_body_rolls, FoldingLegs) {
-  const double in = -plan.hip_outward_max[0];
+  const double in = -plan.hip_outward_limit[0];
   q.head<3>() << in, 1.2, plan.lower[2];
   legs.start(q, up());
   run(0.1);
@@ -214,7 +214,7 @@ BOOST_FIXTURE_TEST_CASE(body_that_leans_from_the_start_is_not_rolling, FoldingLe
 // The diagonal pair that supports the lower side waits until the other pair is folded.
 BOOST_FIXTURE_TEST_CASE(legs_of_a_leaning_body_fold_one_diagonal_pair_at_a_time, FoldingLegs) {
   const Vector12 standing = q;
-  const double in = -plan.hip_outward_max[FR_0];
+  const double in = -plan.hip_outward_limit[FR_0];
   const auto waits = [&](double angle, double front_right_hip, double front_left_thigh) {
     q = standing;
     q[FR_0] = front_right_hip;
@@ -252,7 +252,7 @@ BOOST_FIXTURE_TEST_CASE(rear_leg_tucked_under_a_leaning_body_folds_first, Foldin
     run(0.2);
     return q.segment<kLegJoints>(RR_0) == before;
   };
-  const double right_in = -plan.hip_outward_max[RR_0], left_in = -plan.hip_outward_max[RL_0];
+  const double right_in = -plan.hip_outward_limit[RR_0], left_in = -plan.hip_outward_limit[RL_0];
   BOOST_TEST(right_rear_waits(0.0, 0.7, 0.0));
   BOOST_TEST(!right_rear_waits(right_in, 0.7, 0.0));
   BOOST_TEST(right_rear_waits(right_in, 2.3, 0.0));      // its knee is up
@@ -261,9 +261,9 @@ BOOST_FIXTURE_TEST_CASE(rear_leg_tucked_under_a_leaning_body_folds_first, Foldin
 
 // The detour time of a leg starts when the leg starts to fold.
 BOOST_FIXTURE_TEST_CASE(leg_that_waited_is_still_extended_first, FoldingLegs) {
-  const double in = -plan.hip_outward_max[RR_0];
+  const double in = -plan.hip_outward_limit[RR_0];
   q.segment<kLegJoints>(RR_0) << in, -0.4, plan.lower[RR_2];
-  q[RL_0] = -plan.hip_outward_max[RL_0];  // RL is drawn in too, or RR would fold first
+  q[RL_0] = -plan.hip_outward_limit[RL_0];  // RL is drawn in too, or RR would fold first
   lean = -0.3;
   legs.set_wait(3.0);
   thigh_limit = plan.standing[kThigh] + 0.3;  // FR catches: others wait 3 s

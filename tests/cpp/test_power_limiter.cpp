@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(torques_within_the_limit_are_unchanged) {
     const Demand d(seed);
     for (const double limit : {kInf, d.power(1.0) * (1.0 + 1e-12)}) {
       const LimitedTorques out = limit_power(d.tau, d.hold, d.dq, limit);
-      BOOST_TEST((out.torques == d.tau && out.scale == 1.0 && !out.limit_exceeded));
+      BOOST_TEST((out.torques == d.tau && out.scale == 1.0 && !out.no_scale_within_limit));
       BOOST_TEST(out.power == d.power(1.0), boost::test_tools::tolerance(1e-12));
     }
   }
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(scale_is_the_largest_within_the_limit) {
     for (int k = 0; k <= 2000; ++k) {
       if (d.power(k / 2000.0, damping) <= limit) greatest = k / 2000.0;
     }
-    if (out.limit_exceeded) {
+    if (out.no_scale_within_limit) {
       BOOST_TEST((greatest < 0.0 && out.scale == 0.0 && out.torques == d.hold));
       ++exceeded;
       continue;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(holding_torques_above_the_limit_are_reported) {
   Demand d(1);
   d.tau = 2.0 * d.hold;
   const LimitedTorques out = limit_power(d.tau, d.hold, d.dq, 0.5 * d.power(0.0));
-  BOOST_TEST((out.limit_exceeded && out.scale == 0.0 && out.torques == d.hold));
+  BOOST_TEST((out.no_scale_within_limit && out.scale == 0.0 && out.torques == d.hold));
   BOOST_TEST(out.power == d.power(0.0), boost::test_tools::tolerance(1e-12));
 }
 
@@ -93,15 +93,15 @@ BOOST_AUTO_TEST_CASE(non_finite_input_gives_finite_holding_torques) {
       (field == 0 ? d.tau : field == 1 ? d.hold : d.dq)[7] = bad;
       for (const double limit : {50.0, kInf}) {
         const LimitedTorques out = limit_power(d.tau, d.hold, d.dq, limit);
-        BOOST_TEST((out.limit_exceeded && out.scale == 0.0 && out.torques.allFinite()));
+        BOOST_TEST((out.no_scale_within_limit && out.scale == 0.0 && out.torques.allFinite()));
         BOOST_TEST(out.torques[7] == (field == 1 ? 0.0 : hold[7]));
         BOOST_TEST(out.torques.head<7>() == hold.head<7>());
       }
     }
   }
   const Demand d(3);
-  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, std::nan("")).limit_exceeded);
-  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, -1.0).limit_exceeded);
+  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, std::nan("")).no_scale_within_limit);
+  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, -1.0).no_scale_within_limit);
 }
 
 BOOST_AUTO_TEST_CASE(holding_torques_balance_gravity) {

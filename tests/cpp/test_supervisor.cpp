@@ -464,7 +464,7 @@ BOOST_AUTO_TEST_CASE(rise_plan_is_slower_at_lower_power) {
   const Robot robot = quadruped();
   const RisePlan fast = plan_rise(robot, 1000.0), slow = plan_rise(robot, 5.0);
   BOOST_TEST(slow.time > 2.0 * fast.time);
-  BOOST_TEST(fast.torque_share < 1.0);
+  BOOST_TEST(fast.max_holding_share < 1.0);
   for (int i = 0; i < kMotors; ++i) {
     BOOST_TEST(fast.folded[i] > robot.config().q_lower[i]);
     BOOST_TEST(fast.folded[i] < robot.config().q_upper[i]);

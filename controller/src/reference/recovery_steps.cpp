@@ -47,8 +47,9 @@ constexpr double kFootSpeed = 2.0;
 // (kNominalFeetDriftTime in support_frame.cpp is for feet that have not stepped.) If shorter: the
 // references jump. Shorter than kSwingTime (0.1 s at h = 0.3 m), so that the nominal position has
 // moved before the next foot lands.
-constexpr double kFootReturnTime = 0.05;
-constexpr double kReturnTime = 0.2;  // [s] time constant with which foot offsets decay in stop()
+constexpr double kNominalFootFollowTime = 0.05;
+constexpr double kOffsetDecayTime =
+    0.2;  // [s] time constant with which foot offsets decay in stop()
 
 // Return the height of the centre of mass above the feet. At least 0.05 m, as in capture_point().
 double height_over(const FeetMatrix& p_world_feet, const Dynamics& dynamics) noexcept {
@@ -80,7 +81,7 @@ void RecoverySteps::update(const Gains& gains, const Dynamics& dynamics,
     if (phase_[leg] != FootPhase::kStance) {
       update_swing(leg, from_nominal.col(leg), support.normal(), height, dt);
     } else {
-      const Vector3 nominal_change = dt / (dt + kFootReturnTime) * foot_offsets_.col(leg);
+      const Vector3 nominal_change = dt / (dt + kNominalFootFollowTime) * foot_offsets_.col(leg);
       support.move_nominal_foot(leg, nominal_change);
       foot_offsets_.col(leg) -= nominal_change;
     }
@@ -89,7 +90,7 @@ void RecoverySteps::update(const Gains& gains, const Dynamics& dynamics,
 
 void RecoverySteps::stop(double dt) noexcept {
   phase_.fill(FootPhase::kStance);
-  foot_offsets_ *= 1.0 - dt / (dt + kReturnTime);
+  foot_offsets_ *= 1.0 - dt / (dt + kOffsetDecayTime);
 }
 
 void RecoverySteps::exclude_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,

@@ -29,7 +29,7 @@ class SilenceDetector {
   /// @param age age of the newest sample [s]
   /// @param elapsed time since the last tick of the loop [s]
   /// @param period period of the loop [s]
-  bool is_stale(double age, double elapsed, double period) noexcept {
+  bool is_silent(double age, double elapsed, double period) noexcept {
     listening_time_ += std::min(elapsed, 2.0 * period);
     return age > kStaleTime && listening_time_ > kMinListeningTime;
   }

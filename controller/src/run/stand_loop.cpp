@@ -130,7 +130,7 @@ const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexce
   if (robot_silent_ && !silence_detector_.recoverable(snapshot_.time))
     report_link_lost(RunReason::kStale);
   if (!robot_silent_ && supervisor_.armed() &&
-      silence_detector_.is_stale(age, elapsed, 1.0 / options_.rate)) {
+      silence_detector_.is_silent(age, elapsed, 1.0 / options_.rate)) {
     robot_silent_ = true;
     snapshot_.silence_time = age;
   }

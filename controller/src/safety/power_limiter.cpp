@@ -58,12 +58,12 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
     out.torques = hold.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
     out.scale = 0.0;
     out.power = power_of(out.torques, dq, damping);
-    out.limit_exceeded = true;
+    out.no_scale_within_limit = true;
     return out;
   }
   const double least_power_scale = min_power_scale(line);
-  out.limit_exceeded = !(line.at(least_power_scale) <= limit);
-  out.scale = out.limit_exceeded ? 0.0 : max_scale(line, limit, least_power_scale);
+  out.no_scale_within_limit = !(line.at(least_power_scale) <= limit);
+  out.scale = out.no_scale_within_limit ? 0.0 : max_scale(line, limit, least_power_scale);
   out.torques = hold + out.scale * (tau - hold);
   out.power = line.at(out.scale);
   return out;

@@ -11,7 +11,7 @@ struct LimitedTorques {
   double scale = 1.0;                   ///< s of limit_power(); 1: desired, 0: holding torques
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
   /// True if the power exceeds the limit for every s in [0, 1], or if a number is not finite.
-  bool limit_exceeded = false;
+  bool no_scale_within_limit = false;
 };
 
 /// Compute the power of the motors [W], sum |(tau - damping dq) dq|. tau and dq: shape (12,).

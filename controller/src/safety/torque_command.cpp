@@ -57,11 +57,11 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   // If no scale satisfies the power limit, scale towards torques that hold the robot on all four
   // feet. A foot that is unloaded for a moment carries its share of the load again when the other
   // legs yield.
-  if (limited_.limit_exceeded) limit_power_to(Eigen::Vector4d::Ones(), power_limit_);
+  if (limited_.no_scale_within_limit) limit_power_to(Eigen::Vector4d::Ones(), power_limit_);
   // If these holding torques alone exceed the power limit, do not scale the command: with too
   // little torque the robot would fall, and its motors would take several times as much power in
   // the fall. The power protection is then the only limit.
-  if (limited_.limit_exceeded) limit_power_to(state.contact, kUnlimited);
+  if (limited_.no_scale_within_limit) limit_power_to(state.contact, kUnlimited);
   const bool any_leg_limited = limit_runaway_legs(dq);
   if (limited_.scale == 1.0 && !any_leg_limited) return false;
   // The scaled torques contain holding torques, which may exceed the torque that a motor can

@@ -16,7 +16,7 @@ namespace {
 constexpr double kPlannedShare = 0.5;  // power of the holding torques in the rise plan
 // Limit of JointImpedance. Lower than kStandShare, because JointImpedance uses measured velocities,
 // which are 5 ms old.
-constexpr double kLimitedShare = 0.8;
+constexpr double kImpedanceShare = 0.8;
 constexpr double kStandShare = 0.9;  // limit of StandController
 constexpr Button kStopButton = Button::kB;
 
@@ -42,12 +42,12 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
     : robot(r),
       options(o),
       plan(plan_rise(r, kPlannedShare * protection_power(o))),
-      arming(r, {o.arming_time, o.temperature_warning, o.joint_margin, plan.torque_share}),
+      arming(r, {o.arming_time, o.temperature_warning, o.joint_margin, plan.max_holding_share}),
       folding(plan, gains.fold_wait),
       weight_check(plan),
       press_check(plan),
       motion(plan),
-      impedance(r, plan, kLimitedShare * protection_power(o)),
+      impedance(r, plan, kImpedanceShare * protection_power(o)),
       stand(r, gains, within_power(o)),
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),

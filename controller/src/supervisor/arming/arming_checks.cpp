@@ -25,7 +25,7 @@ constexpr double kLossTime = 1.0;
 constexpr double kQuaternionTolerance = 1e-3;
 // [rad/s] Angular speed from the gyroscope from which the check fails: 0.02 passes, 0.1 is
 // rejected.
-constexpr double kMaxTurnRate = 0.05;
+constexpr double kMaxAngularSpeed = 0.05;
 // [g] Error of the accelerometer's magnitude from which the check fails: 0.2 m/s^2 passes,
 // 0.7 m/s^2 is rejected.
 constexpr double kGravityTolerance = 0.05;
@@ -45,7 +45,7 @@ constexpr double kMaxTilt = 0.44;
 ArmingChecks::ArmingChecks(const Robot& robot, const ArmingLimits& limits)
     : robot_(robot), limits_(limits) {
   // kProgram: can the motors carry out the rise plan? The answer does not depend on samples.
-  check_below(at(ArmingCheckId::kProgram), limits.torque_share, 1.0);
+  check_below(at(ArmingCheckId::kProgram), limits.max_holding_share, 1.0);
   set_blocking_fault(FaultId::kNone);
 }
 
@@ -135,7 +135,7 @@ void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
   const Vector3 up_by_quaternion = quaternion_wxyz(quaternion).conjugate() * Vector3::UnitZ();
   check_below(at(ArmingCheckId::kAttitude), angle_between(up_by_quaternion, accelerometer_),
               kMaxAttitudeError);
-  check_below(at(ArmingCheckId::kGyroscope), gyro_.norm(), kMaxTurnRate);
+  check_below(at(ArmingCheckId::kGyroscope), gyro_.norm(), kMaxAngularSpeed);
   check_below(at(ArmingCheckId::kAccelerometer), std::abs(accelerometer_.norm() / kGravity - 1.0),
               kGravityTolerance);
   const Vector3 up = quaternion_wxyz(robot_.config().quat_base_imu) * accelerometer_;

@@ -19,7 +19,7 @@ struct ArmingLimits {
   // limits by this amount.
   double joint_margin = 0.0;
   // Largest holding torque of the rise plan, as a share of tau_max; must be below 1.
-  double torque_share = 0.0;
+  double max_holding_share = 0.0;
 };
 
 /// Write value and limit into a check. The check passes if value < limit. A NaN value fails.

@@ -51,7 +51,8 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
   const Vector3 w(rates[0], rates[1], rates[2]);
   rates_plausible_ = !started_ || (w - w_last_).norm() < kMaxRateJump;
   const double angle = w.norm() * step;
-  if (angle > 0.0) R_ = R_ * Quaternion(Eigen::AngleAxisd(angle, w.normalized()));
+  if (angle > 0.0)
+    R_propagated_ = R_propagated_ * Quaternion(Eigen::AngleAxisd(angle, w.normalized()));
   rejected_time_ += step;
   const bool was_plausible = attitude_plausible_;
   attitude_plausible_ = has_unit_quaternion(imu);
@@ -71,7 +72,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
           blend *
           (rate_error * std::min(1.0, kRateErrorClamp / (rate_error.norm() + 1e-9)) - rate_error_);
       mean_rate_ += blend * (w.norm() - mean_rate_);
-      R_ = attitude;
+      R_propagated_ = attitude;
       rejected_time_ = 0.0;
       started_ = true;
     }
@@ -83,7 +84,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
 }
 
 bool ImuMonitor::is_consistent(const Quaternion& attitude, const Vector3& w) const noexcept {
-  return attitude.angularDistance(R_) < kMaxAttitudeJump + kAttitudeDelay * w.norm();
+  return attitude.angularDistance(R_propagated_) < kMaxAttitudeJump + kAttitudeDelay * w.norm();
 }
 
 void ImuMonitor::judge_rates(const Vector3& w, double step, bool changed,

@@ -40,7 +40,7 @@ class ImuMonitor {
   bool is_consistent(const Quaternion& attitude, const Vector3& w) const noexcept;
 
   // Attitude of the IMU in the world, propagated by the gyroscope.
-  Quaternion R_ = Quaternion::Identity();
+  Quaternion R_propagated_ = Quaternion::Identity();
   // Attitude of the IMU in the world, last measured.
   Quaternion last_attitude_ = Quaternion::Identity();
   Vector3 w_last_ = Vector3::Zero();      // [rad/s] gyroscope in the last sample

@@ -24,13 +24,13 @@ constexpr double kMaxDeflection = 0.45;
 constexpr double kTorqueShare = 0.9;
 // can_hold() requires holding torques below this share of tau_max; the rest is for raising the
 // body. It does not limit commanded torques.
-constexpr double kHoldShare = 0.75;
+constexpr double kMaxHoldingShare = 0.75;
 // [rad/s] The spring of a joint is weakened if the joint moves faster than its reference, in the
-// direction of the spring torque, by more than kReleaseSpeed. The spring torque is zero from
-// kReleaseSpeed + kReleaseSpeedRange on. kReleaseSpeed is larger than the velocity errors of normal
+// direction of the spring torque, by more than kFreeLegSpeed. The spring torque is zero from
+// kFreeLegSpeed + kFreeLegSpeedRange on. kFreeLegSpeed is larger than the velocity errors of normal
 // tracking. The sum is smaller than 9 rad/s, which legs reach when they come free.
-constexpr double kReleaseSpeed = 2.0;
-constexpr double kReleaseSpeedRange = 2.0;
+constexpr double kFreeLegSpeed = 2.0;
+constexpr double kFreeLegSpeedRange = 2.0;
 // [rad/s] Angular speed of the body. Between these two values, the damping falls linearly from full
 // to kMinDampingShare; above, it stays at kMinDampingShare. Larger than the angular speed while
 // legs fold. Smaller than 3 rad/s, at which bodies tip over a leg.
@@ -43,7 +43,7 @@ constexpr double kMinDampingShare = 0.25;
 // jump.
 constexpr double kDampingFilterTime = 0.02;
 // [m g] Planned load on the legs from which no leg can be caught on something. Below this load,
-// limit_released_power() also limits the springs; it acts fully at load 0.
+// limit_power_when_free() also limits the springs; it acts fully at load 0.
 constexpr double kLoadedShare = 0.1;
 }  // namespace
 
@@ -70,9 +70,9 @@ void JointImpedance::read(const LowState& state) noexcept {
   state_.q.segment<4>(3) = R_world_base_.coeffs();
 }
 
-void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
+void JointImpedance::reduce_damping(double angular_speed, double dt) noexcept {
   const double reduction =
-      std::clamp((turn_rate - kFallRateStart) / (kFallRateEnd - kFallRateStart), 0.0, 1.0);
+      std::clamp((angular_speed - kFallRateStart) / (kFallRateEnd - kFallRateStart), 0.0, 1.0);
   const double desired = (1.0 - (1.0 - kMinDampingShare) * reduction) * full_damping_;
   damping_ += dt / (dt + kDampingFilterTime) * (desired - damping_);
 }
@@ -81,9 +81,9 @@ void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
 // is largest at dq = tau / (2 D), where it is tau^2 / (4 D). The sum over all springs must stay
 // within the limit. Power grows with the square of the deflection, so the deflections are scaled by
 // the square root of the ratio. The 1e-9 [W] avoid a division by zero.
-Vector12 JointImpedance::limit_released_power(const Vector12& deflection) const noexcept {
-  const double released_power = (stiffness_ * deflection).squaredNorm() / (4.0 * damping_);
-  return deflection * std::sqrt(std::min(1.0, power_limit_ / std::max(released_power, 1e-9)));
+Vector12 JointImpedance::limit_power_when_free(const Vector12& deflection) const noexcept {
+  const double power_when_free = (stiffness_ * deflection).squaredNorm() / (4.0 * damping_);
+  return deflection * std::sqrt(std::min(1.0, power_limit_ / std::max(power_when_free, 1e-9)));
 }
 
 // Return the torques that hold the legs and the share `load` of the robot's weight [N.m].
@@ -96,7 +96,8 @@ Vector12 JointImpedance::gravity_torques(double load) noexcept {
 
 bool JointImpedance::can_hold() noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
-  const Vector12 max_torque = kHoldShare * torque_share_.cwiseProduct(robot_.config().tau_max);
+  const Vector12 max_torque =
+      kMaxHoldingShare * torque_share_.cwiseProduct(robot_.config().tau_max);
   return (gravity_torques(1.0).cwiseAbs() - max_torque).maxCoeff() < 0.0;
 }
 
@@ -118,14 +119,14 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   // The legs of a lying body may be caught on something. So the power that their springs take when
   // they come free is limited. `load` is 0 while the body lies, also while RearPressCheck presses
   // the rear legs on the ground.
-  const Vector12 limited_deflection = limit_released_power(deflection);
+  const Vector12 limited_deflection = limit_power_when_free(deflection);
   deflection =
       limited_deflection + smoothstep(load / kLoadedShare) * (deflection - limited_deflection);
   // Weaken the spring of a leg that slips off an obstacle. Otherwise this leg alone would take more
   // power than all legs take in a rise.
   for (int i = 0; i < kMotors; ++i) {
     const double speed_ahead = std::copysign(1.0, deflection[i]) * (dq_[i] - reference.dq[i]);
-    deflection[i] *= std::clamp(1.0 - (speed_ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
+    deflection[i] *= std::clamp(1.0 - (speed_ahead - kFreeLegSpeed) / kFreeLegSpeedRange, 0.0, 1.0);
   }
   Vector12 tau = hold + stiffness_ * deflection + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
@@ -138,12 +139,13 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
   // Usual case: some scale from 0 to 1 satisfies the power limit, and limit_power() has applied it.
-  if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
-  // Otherwise the damping takes too much power, whatever the scale. braking_scale is the share of
-  // the damping whose power, together with that of the holding torques, is within the limit.
-  const double braking_scale = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
+  if (!out.no_scale_within_limit || !hold.allFinite() || !dq_.allFinite()) return out.torques;
+  // Otherwise the damping takes too much power, whatever the scale. kept_damping_share is the share
+  // of the damping whose power, together with that of the holding torques, is within the limit.
+  const double kept_damping_share =
+      limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
   // Counteract the rest of the damping, which the motors add by themselves.
-  const Vector12 counter_torque = hold + (1.0 - braking_scale) * damping_ * dq_;
+  const Vector12 counter_torque = hold + (1.0 - kept_damping_share) * damping_ * dq_;
   return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
 }
 

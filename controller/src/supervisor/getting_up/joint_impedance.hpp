@@ -24,7 +24,7 @@ namespace surefoot {
 /// torques counteract a part of the damping. A body that rolls off a leg drives the joints faster
 /// than torques can change. So the damping is reduced while the body rolls or pitches fast
 /// (reduce_damping()). With less damping, the spring of a leg that comes free takes more power, so
-/// limit_released_power() then reduces the spring torques of lying legs too. Real-time: yes.
+/// limit_power_when_free() then reduces the spring torques of lying legs too. Real-time: yes.
 class JointImpedance {
  public:
   /// @param watts limit of the power sum |tau dq| [W]
@@ -34,9 +34,9 @@ class JointImpedance {
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }  ///< [rad] measured angles, SDK motor order
   /// Reduce the damping while the body rolls or pitches fast, and restore it when the body is slow.
-  /// @param turn_rate norm of the body's angular velocity [rad/s]; 0 if the body does not lie
+  /// @param angular_speed norm of the body's angular velocity [rad/s]; 0 if the body does not lie
   /// @param dt time since the last call [s]
-  void reduce_damping(double turn_rate, double dt) noexcept;
+  void reduce_damping(double angular_speed, double dt) noexcept;
   double damping() const noexcept { return damping_; }  ///< D, to be sent to the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
   /// Return the world's vertical in base axes, unit length.
@@ -63,7 +63,7 @@ class JointImpedance {
   Vector12 gravity_torques(double load) noexcept;
   /// Return the spring deflections [rad], scaled so that all springs together stay within the power
   /// limit even if all legs come free from an obstacle at once.
-  Vector12 limit_released_power(const Vector12& deflection) const noexcept;
+  Vector12 limit_power_when_free(const Vector12& deflection) const noexcept;
 
   Robot robot_;
   Dynamics dynamics_;

@@ -42,9 +42,9 @@ constexpr double kDampingTime = 0.03;
 
 /// Dynamics of the robot at rest at any joint angles, with a level base at the world origin. Joint
 /// angles are in SDK motor order.
-class LyingPose {
+class LevelBaseDynamics {
  public:
-  explicit LyingPose(const Robot& robot)
+  explicit LevelBaseDynamics(const Robot& robot)
       : robot_(robot), dynamics_(robot), state_(robot.nq(), robot.nv()) {}
   const Dynamics& at(const Vector12& joints) {
     for (int i = 0; i < kMotors; ++i) state_.q[robot_.motor_to_q()[i]] = joints[i];
@@ -62,7 +62,7 @@ class LyingPose {
 };
 
 // Return the depth of the foot below the base [m].
-double foot_depth(LyingPose& pose, const Vector12& joints, int leg) {
+double foot_depth(LevelBaseDynamics& pose, const Vector12& joints, int leg) {
   return -pose.at(joints).legs()[leg].p_world_contact.z();
 }
 
@@ -75,7 +75,8 @@ void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
 // Set thigh and calf of a leg. Bend the calf to kStopMargin from its stop. Then find by bisection
 // the thigh angle at which the foot is behind the hip and `depth` [m] below the base. 40 bisections
 // of at most 4 rad leave an error of 4e-12 rad.
-void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
+void fold_leg(LevelBaseDynamics& pose, const RobotConfig& config, int leg, double depth,
+              Vector12& joints) {
   const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
   const bool negative = config.q_standing[calf] < 0.0;
   joints[calf] = negative ? config.q_lower[calf] + kStopMargin : config.q_upper[calf] - kStopMargin;
@@ -89,7 +90,7 @@ void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth,
 }
 
 // Compute the limits of ds/dt, the duration of the path, and its largest holding torque.
-void plan_rates(const RobotConfig& config, LyingPose& pose, double watts, RisePlan& plan) {
+void plan_rates(const RobotConfig& config, LevelBaseDynamics& pose, double watts, RisePlan& plan) {
   for (int k = 0; k < RisePlan::kSamples; ++k) {
     const double s = double(k) / (RisePlan::kSamples - 1);
     const Vector12 direction = plan.direction_at(s), tau = pose.hold(plan.joints_at(s));
@@ -97,7 +98,8 @@ void plan_rates(const RobotConfig& config, LyingPose& pose, double watts, RisePl
     for (int i = 0; i < kMotors; ++i) {
       rate =
           std::min(rate, kSpeedShare * config.dq_max[i] / std::max(std::abs(direction[i]), 1e-9));
-      plan.torque_share = std::max(plan.torque_share, std::abs(tau[i]) / config.tau_max[i]);
+      plan.max_holding_share =
+          std::max(plan.max_holding_share, std::abs(tau[i]) / config.tau_max[i]);
     }
     const double work = tau.cwiseProduct(direction).cwiseAbs().sum();  // [J] work per unit of s
     plan.rate[k] = std::min(rate, watts / work);
@@ -128,7 +130,7 @@ RisePlan plan_rise(const Robot& robot, double watts) {
     throw Error("robot '" + config.name + "': got nv = " + std::to_string(robot.nv()) +
                 ", expected 18 to plan a rise");
   }
-  LyingPose pose(robot);
+  LevelBaseDynamics pose(robot);
   RisePlan plan;
   plan.standing = plan.folded = plan.crouched = config.q_standing;
   plan.lower = config.q_lower.array() + kStopMargin;
@@ -139,7 +141,7 @@ RisePlan plan_rise(const Robot& robot, double watts) {
     const double outward =
         pose.at(plan.standing).legs()[leg].p_world_contact.y() < 0.0 ? -1.0 : 1.0;
     const int hip = 3 * leg;
-    plan.hip_outward_max[hip] = outward < 0.0 ? plan.lower[hip] : plan.upper[hip];
+    plan.hip_outward_limit[hip] = outward < 0.0 ? plan.lower[hip] : plan.upper[hip];
     const double range = outward < 0.0 ? -config.q_lower[hip] : config.q_upper[hip];
     plan.hip_outward[hip] = outward * std::min(kMaxHipOutward, kHipOutwardShare * range);
     fold_leg(pose, config, leg, kFoldedDepth * standing, plan.folded);

@@ -29,7 +29,7 @@ struct RisePlan {
   Vector12 hip_outward = Vector12::Zero();
   /// [rad] Outward joint limits of the hips, less a margin. Signed: negative at right legs. Other
   /// joints: 0.
-  Vector12 hip_outward_max = Vector12::Zero();
+  Vector12 hip_outward_limit = Vector12::Zero();
   Vector12 lower = Vector12::Zero();    ///< [rad] lower joint limits plus a margin
   Vector12 upper = Vector12::Zero();    ///< [rad] upper joint limits minus a margin
   std::array<double, kSamples> rate{};  ///< [1/s] limit of ds/dt at s = k / (kSamples - 1)
@@ -37,7 +37,7 @@ struct RisePlan {
   double damping = 0.0;  ///< [N.m.s/rad] D of JointImpedance, the same for all joints
   /// Largest holding torque on the path, as a share of tau_max. The robot can rise only if it is
   /// below 1.
-  double torque_share = 0.0;
+  double max_holding_share = 0.0;
   /// [s] Duration from folded to standing if ds/dt is always at its limit: without acceleration and
   /// braking.
   double time = 0.0;

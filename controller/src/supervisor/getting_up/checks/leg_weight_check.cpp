@@ -52,7 +52,7 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!legs_[leg]) continue;
     const int hip = kLegJoints * leg;
-    const double q = q_start_[hip] + std::copysign(outward_angle, plan_.hip_outward_max[hip]);
+    const double q = q_start_[hip] + std::copysign(outward_angle, plan_.hip_outward_limit[hip]);
     reference_.dq[hip] = (q - reference_.q[hip]) / dt;
     reference_.q[hip] = q;
   }

@@ -33,14 +33,14 @@ void RearPressCheck::start(const Vector12& reference) noexcept {
 
 const JointReference& RearPressCheck::step(const Quaternion& R_world_base, double load,
                                            double dt) noexcept {
-  evaluate(R_world_base, load, dt);
+  update_press(R_world_base, load, dt);
   step_path(dt);
   return reference_;
 }
 
 // Start a press after a pause, and end it when the front has moved or the legs are extended. The
 // yaw of the body is ignored, because any press changes the yaw of a body that lies on few points.
-void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, double dt) noexcept {
+void RearPressCheck::update_press(const Quaternion& R_world_base, double load, double dt) noexcept {
   const bool at_end = s_ == (pressing_ ? kMaxExtension : 0.0);
   wait_time_ = at_end ? wait_time_ + dt : 0.0;
   if (!pressing_) {

@@ -61,7 +61,7 @@ class RearPressCheck {
   static constexpr int kTries = 2;     // chosen: the body may lie unevenly at the first try
   static constexpr int kFirstLeg = 2;  // RR; the second pressing leg is RL
 
-  void evaluate(const Quaternion& R_world_base, double load, double dt) noexcept;
+  void update_press(const Quaternion& R_world_base, double load, double dt) noexcept;
   void step_path(double dt) noexcept;
   // Return whether the legs are folded again after a press.
   bool is_lowered() const noexcept { return tries_ > 0 && !pressing_ && s_ == 0.0; }

@@ -52,7 +52,7 @@ double forward_limit(const RisePlan& plan, int thigh) noexcept {
 // Return whether a leg must be stretched before it folds, see folding_target().
 bool must_stretch(const RisePlan& plan, int leg, const Vector3& q, bool rolled) noexcept {
   const int hip = kLegJoints * leg, thigh = hip + 1;
-  const double inward = -std::copysign(1.0, plan.hip_outward_max[hip]) * q[0];
+  const double inward = -std::copysign(1.0, plan.hip_outward_limit[hip]) * q[0];
   const double thigh_angle = folding_angle(plan, thigh, q[1]);
   const bool can_reach = folding_angle(plan, thigh, forward_limit(plan, thigh)) < kMinStretchReach;
   if (thigh_angle < kThighAhead && inward > kHipInward) return can_reach;

@@ -58,7 +58,7 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
 
 FoldingOrder::Leg LegFolding::order_input(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg, thigh = hip + 1;
-  return {-std::copysign(1.0, plan_.hip_outward_max[hip]) * measured[hip],
+  return {-std::copysign(1.0, plan_.hip_outward_limit[hip]) * measured[hip],
           std::copysign(1.0, plan_.folded[thigh]) * measured[thigh]};
 }
 
@@ -144,7 +144,7 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
     // A thigh that is already at its folded angle backs out against the folding direction.
     const double displacement = std::abs(remaining) < kJointTolerance ? target[1] : remaining;
     const double step = std::copysign(own.catches * kBackOutStep, displacement);
-    target[0] = plan_.hip_outward_max[hip];
+    target[0] = plan_.hip_outward_limit[hip];
     target[1] = std::clamp(own.q[1] - step, plan_.lower[thigh], plan_.upper[thigh]);
     target[2] = std::copysign(kStretchedCalf, target[2]);
     return target;
