@@ -103,6 +103,15 @@ void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot:
   }
 }
 
+// Return whether the twelve motors drive four legs. A WholeBodyController also takes a humanoid,
+// whose two legs of six joints are given as four legs, the second of each pair below the first.
+bool has_four_legs(const pinocchio::Model& model, const RobotConfig& config) {
+  const auto at_base = [&](int leg) {
+    return model.parents[model.getJointId(config.joint_names[kLegJoints * leg])] == 1;
+  };
+  return model.nv == 6 + kMotors || (at_base(0) && at_base(1) && at_base(2) && at_base(3));
+}
+
 }  // namespace
 
 Robot::Robot(const pinocchio::Model& model, const RobotConfig& config) {
@@ -117,9 +126,11 @@ Robot::Robot(const pinocchio::Model& model, const RobotConfig& config) {
   const RobotParts parts{data->model, data->config, data->motor_to_q, data->motor_to_v,
                          data->foot_frame_ids};
   check_bodies(parts, data->doubts);
-  const auto legs = measure_legs(parts);
-  check_legs(data->config, legs, data->doubts);
-  check_torque_limits(parts, legs, data->doubts);
+  if (has_four_legs(model, config)) {
+    const auto legs = measure_legs(parts);
+    check_legs(data->config, legs, data->doubts);
+    check_torque_limits(parts, legs, data->doubts);
+  }
   data_ = std::move(data);
 }
 
