@@ -103,8 +103,8 @@ void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot:
   }
 }
 
-// Return whether the twelve motors drive four legs. A WholeBodyController also takes a humanoid,
-// whose two legs of six joints are given as four legs, the second of each pair below the first.
+// Return whether the twelve motors drive four legs on the base. A WholeBodyController also takes a
+// humanoid, whose legs and arms are given as the four legs.
 bool has_four_legs(const pinocchio::Model& model, const RobotConfig& config) {
   const auto at_base = [&](int leg) {
     return model.parents[model.getJointId(config.joint_names[kLegJoints * leg])] == 1;
