@@ -27,6 +27,9 @@ class CommandHold {
   /// command that was computed from the present state.
   const LowCmd& substitute(const LowCmd& command, double elapsed, double damping_kd) noexcept;
 
+  /// Latch damping at once, whether or not a command was accepted.
+  const LowCmd& latch(double damping_kd) noexcept;
+
   /// Return damping without latching it, for a period without a sample. The age of the last good
   /// command does not change.
   const LowCmd& damp(double damping_kd) noexcept;

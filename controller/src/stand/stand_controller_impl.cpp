@@ -26,6 +26,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
     : robot(twelve_joints(r)),
       options((o.validate(), o)),
       estimator(r),
+      sensor_check(r),
       reference(r),
       predictor(r.nv(), o.delay),
       predicted_dynamics(r),
@@ -76,6 +77,8 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
     command_hold.accept(torque_command.command(elapsed));
   } else if (is_fresh(fallback_level)) {
     command_hold.substitute(torque_command.command(elapsed), elapsed, kd);
+  } else if (names_wrong_sensor(tick)) {
+    command_hold.latch(kd);
   } else {
     command_hold.repeat_or_damp(elapsed, kd);
   }
@@ -104,7 +107,11 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
                                  acting_command->f_push);
   }
   const Status estimated = estimator.update(low_state, dt);
+  const Status wrong_sensor =
+      sensor_check.update(low_state, estimated, estimator,
+                          acting_command == nullptr ? nullptr : &acting_command->tau, dt);
   state = estimator.state();
+  if (wrong_sensor != Status::kOk) return wrong_sensor;
   if (estimated != Status::kOk) return estimated;
   time_since_estimate = 0.0;
   torque_command.observe_joints(state, dt);
