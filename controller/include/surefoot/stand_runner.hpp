@@ -48,6 +48,7 @@ enum class RunReason {
   kRequested,        ///< stop(), finish() or damp() was called, or the duration is over
   kNoState,          ///< no valid LowState arrived in time, or before the end
   kWrongGeneration,  ///< the robot sends frames of another generation
+  kNotStanding,      ///< start kStanding, but the robot lies
   kStale,            ///< LowStates stopped arriving
   kProcessStalled,   ///< this process stalled for more than 100 ms
   kRestart,          ///< the robot restarted after it was armed
@@ -70,7 +71,8 @@ struct RunSnapshot {
   bool armed = false;                      ///< true if the robot is armed
   bool stood = false;                      ///< true if the robot has stood in this run
   /// True if the robot stood, no fault damped it or made it sit down afterwards, and the run ended
-  /// on request: with start kLying after the robot lay down, with kStanding while it stood.
+  /// on request: with start kLying after the robot lay down, with kStanding while it stood. A robot
+  /// that is taken over lying does not stand.
   bool stood_to_end = false;
   bool rise_failed = false;                     ///< true if the last rise gave up
   double rise_progress = 0.0;                   ///< from lying (0) to standing (1)
@@ -114,9 +116,9 @@ struct RunSnapshot {
 /// Loop that runs a Supervisor over a UdpLink at a fixed rate.
 ///
 /// With RunOptions::start kStanding, the runner takes over a standing robot with its first valid
-/// LowState. With kLying, arm() and request() arm the robot and let it rise and sit down. Deadlines
-/// are absolute; SCHED_FIFO and locked memory are used where the system permits. A run begins and
-/// ends with damping commands.
+/// LowState; if the robot lies, the run ends. With kLying, arm() and request() arm the robot and
+/// let it rise and sit down. Deadlines are absolute; SCHED_FIFO and locked memory are used where
+/// the system permits. A run begins and ends with damping commands.
 ///
 /// Without a new LowState, the last command is repeated for at most 10 ms; then the motors damp,
 /// and after 20 ms damping is latched. Only arm() leaves latched damping, with one exception: a
