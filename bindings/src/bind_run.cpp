@@ -52,6 +52,7 @@ void bind_snapshot(nb::module_& m) {
           "- no_state: no valid LowState arrived within connect_timeout, or before the run\n"
           "  ended\n"
           "- wrong_generation: the robot sends frames of another generation\n"
+          "- not_standing: start STANDING, but the robot lies\n"
           "- stale: LowStates stopped arriving\n"
           "- away: this process did not run for more than 100 ms\n"
           "- restart: the robot restarted, so arming is no longer valid\n"

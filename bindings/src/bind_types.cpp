@@ -41,9 +41,25 @@ void bind_status(nb::module_& m) {
       .value("SATURATED", Status::kSaturated,
              "The command may be sent; a motor or the power is at its limit.")
       .value("DIVERGED", Status::kDiverged,
-             "The state estimate diverged, because no motion explains the samples.");
+             "The state estimate diverged, because no motion explains the samples.")
+      .value("WRONG_GYROSCOPE", Status::kWrongGyroscope,
+             "The gyroscope has been wrong since the first sample: expected rad/s, IMU axes.")
+      .value("WRONG_ACCELEROMETER", Status::kWrongAccelerometer,
+             "The accelerometer has been wrong since the first sample: expected m/s^2, IMU axes,\n"
+             "+9.81 upwards at rest.")
+      .value("WRONG_JOINT_ANGLES", Status::kWrongJointAngles,
+             "q has been wrong since the first sample: expected rad, order and signs of the SDK.")
+      .value("WRONG_JOINT_VELOCITIES", Status::kWrongJointVelocities,
+             "dq has been wrong since the first sample: expected rad/s, order and signs of the\n"
+             "SDK.")
+      .value("WRONG_JOINT_TORQUES", Status::kWrongJointTorques,
+             "tauEst has been wrong since the first sample: expected N.m, order and signs of the\n"
+             "SDK.");
   m.def("is_usable", &is_usable, "status"_a,
         "Return whether a tick with this status gave a command to send. Real-time: yes.");
+  m.def("names_wrong_sensor", &names_wrong_sensor, "status"_a,
+        "Return whether a status names a sensor that has been wrong since the first sample.\n"
+        "Real-time: yes.");
   nb::enum_<QpForm>(m, "QpForm",
                     "Form of the whole-body QP: how the equations of motion are eliminated.")
       .value("AUTO", QpForm::kAuto,

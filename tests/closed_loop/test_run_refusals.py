@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import json
+import signal
 import socket
 import threading
+from pathlib import Path
 
 import pytest
 import surefoot
 from surefoot import protocol
 from surefoot.cli import main
+from virtual_robot_helpers import start_controller, start_robot
 
 pytestmark = pytest.mark.real_time
 
@@ -83,3 +87,17 @@ def test_invalid_run_arguments_give_one_error_line(
     assert main(["run", *words]) == status
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1
+
+
+def test_run_without_rise_refuses_a_lying_robot(tmp_path: Path) -> None:
+    robot, port = start_robot("--lying", "--json", str(tmp_path / "robot.json"))
+    run = start_controller(port, "--duration", "3", "--json", str(tmp_path / "run.json"))
+    out, err = run.communicate(timeout=60)
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (run.returncode, result["reason"], result["stood"]) == (3, "not_standing", False), out
+    assert "did not stand to the end" in out
+    assert "expected a standing robot; use --rise" in err
+    kd = json.loads((tmp_path / "robot.json").read_text())["log"]["command_kd"]
+    assert all(min(values) > 0.0 for values in kd if values)

@@ -362,6 +362,45 @@ def test_bad_first_samples_damp_until_a_valid_sample(stand, first) -> None:
     assert stand.run(1)[1] == [Status.OK]
 
 
+def linear_acceleration(report: LowState) -> None:
+    report.imu.accelerometer[2] -= 9.81
+
+
+def reversed_torques(report: LowState) -> None:
+    for i in range(12):
+        report.motorState[i].tauEst *= -1.0
+
+
+WRONG_SENSORS = {
+    "accelerometer without gravity": (linear_acceleration, Status.WRONG_ACCELEROMETER),
+    "torques of the opposite sign": (reversed_torques, Status.WRONG_JOINT_TORQUES),
+    "hip in degrees": (set_motor(0, "q", 40.0), Status.WRONG_JOINT_ANGLES),
+    "rate beyond any gyroscope": (set_imu("gyroscope", 1, 50.0), Status.WRONG_GYROSCOPE),
+}
+
+
+@pytest.mark.parametrize("name", WRONG_SENSORS)
+def test_sensor_wrong_since_the_first_sample_is_named_and_latches_damping(go1, name: str) -> None:
+    spoil, status = WRONG_SENSORS[name]
+    stand = Stand(go1)
+    commands, statuses = stand.run(200, spoil)
+    assert stand.controller.fault == status and surefoot.names_wrong_sensor(status)
+    assert statuses[-1] == Status.DAMPING and damps(commands[-1:]).all()
+    _, statuses = stand.run(100)
+    assert set(statuses) == {Status.DAMPING} and stand.controller.fault == status
+    stand.controller.reset()
+    _, statuses = stand.run(200)
+    assert set(statuses) == {Status.OK} and stand.controller.fault == Status.OK
+
+
+@pytest.mark.parametrize("name", WRONG_SENSORS)
+def test_sensor_that_fails_later_is_not_named(go1, name: str) -> None:
+    stand = Stand(go1)
+    stand.run(200)
+    stand.run(200, WRONG_SENSORS[name][0])
+    assert not surefoot.names_wrong_sensor(stand.controller.fault)
+
+
 def test_damping_uses_damping_kd(go1) -> None:
     gains = surefoot.Gains()
     gains.damping_kd = 4.5

@@ -21,7 +21,7 @@ from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.run_log import LOG_TIME, check_log, write_run_log
 from surefoot.cli.run_monitor import supervise
 from surefoot.cli.run_operator import key_help
-from surefoot.cli.run_text import closing_text, no_robot_text, run_summary
+from surefoot.cli.run_text import closing_text, lying_text, no_robot_text, run_summary
 from surefoot.cli.stand import read_form, read_gains
 from surefoot.protocol import default_generation
 from surefoot.robot.loading import build_robot
@@ -62,6 +62,8 @@ def run(arguments: argparse.Namespace) -> int:
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
         return NO_ROBOT
+    if end.reason == "not_standing":
+        print("surefoot: error:", lying_text(end), file=sys.stderr)
     return 0 if end.stood_to_end else ENDED_DAMPED
 
 

@@ -148,6 +148,14 @@ def closing_text(result: dict[str, Any]) -> str:
     )
 
 
+def lying_text(end: RunSnapshot) -> str:
+    """Return the reason why a lying robot was not taken over, as text for the operator."""
+    return (
+        f"--rise: got none and a robot that lies (base {end.height:.3f} m above its feet), "
+        "expected a standing robot; use --rise"
+    )
+
+
 def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
     """Return the reason why no robot was controlled, as text for the operator."""
     if end.reason == "wrong_generation":

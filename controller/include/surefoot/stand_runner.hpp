@@ -54,6 +54,7 @@ enum class RunReason {
   kRequested,        ///< stop(), finish() or damp() was called, or the duration is over
   kNoState,          ///< no valid LowState within connect_timeout, or before the run ended
   kWrongGeneration,  ///< the robot sends frames of another generation
+  kNotStanding,      ///< start kStanding, but the robot lies
   kStale,            ///< LowStates stopped arriving
   kProcessStalled,   ///< this process did not run for more than 100 ms
   kRestart,          ///< the robot restarted, so arming is no longer valid
@@ -77,7 +78,8 @@ struct RunSnapshot {
   bool stood = false;                      ///< true if the robot has stood in this run
   /// True if the run was completed as requested: the robot stood, after this no fault made it damp
   /// or sit down, and the run ended on request. At the end the robot was standing (start kStanding)
-  /// or had lain down (start kLying).
+  /// or had lain down (start kLying). A robot that is taken over
+  /// lying does not stand.
   bool stood_to_end = false;
   bool rise_failed = false;                     ///< true if the last rise was given up
   double rise_progress = 0.0;                   ///< position from lying (0) to standing (1)
@@ -134,9 +136,9 @@ struct RunSnapshot {
 /// Loop that runs a Supervisor over a UdpLink at a fixed rate.
 ///
 /// With RunOptions::start kStanding, the runner takes over a standing robot with its first valid
-/// LowState. With kLying, arm() and request() arm the robot and let it rise and sit down. Deadlines
-/// are absolute; SCHED_FIFO and locked memory are used where the system permits. A run begins and
-/// ends with damping commands.
+/// LowState; if the robot lies, the run ends. With kLying, arm() and request() arm the robot and
+/// let it rise and sit down. Deadlines are absolute; SCHED_FIFO and locked memory are used where
+/// the system permits. A run begins and ends with damping commands.
 ///
 /// Without a new LowState, the last command is repeated for at most 10 ms; then the motors damp,
 /// and after 20 ms the phase is kDamping. If samples return within 100 ms and their tick shows that

@@ -27,13 +27,27 @@ enum class Status : int {
   kDamping,        ///< damping is latched: the motors damp until reset()
   kBadTask,        ///< a custom task failed, or wrote invalid rows or rows with too large weights
   kSaturated,      ///< the command may be sent; a motor or the power is at its limit
-  kDiverged        ///< the state estimate diverged: no motion explains the samples
+  kDiverged,       ///< the state estimate diverged: no motion explains the samples
+  // The sensor has been wrong since the first sample (unit, sign, order, or stuck): it contradicts
+  // the other sensors or the robot's range. The motors brake until reset(). A wrong quaternion is
+  // kBadQuaternion, or only a verdict in EstimatorReport.
+  kWrongGyroscope,        ///< gyroscope: expected rad/s in IMU axes
+  kWrongAccelerometer,    ///< accelerometer: expected m/s^2 in IMU axes, + 9.81 upwards at rest
+  kWrongJointAngles,      ///< q: expected rad, order and signs of the SDK
+  kWrongJointVelocities,  ///< dq: expected rad/s, order and signs of the SDK
+  kWrongJointTorques      ///< tauEst: expected N.m, order and signs of the SDK
 };
 /// Return the name of a status, such as "max_iterations". Real-time: yes.
 const char* to_string(Status status) noexcept;
 /// Return whether a tick with this status gave a command to send. Real-time: yes.
 inline bool is_usable(Status status) noexcept {
   return status == Status::kOk || status == Status::kSaturated;
+}
+
+/// Return whether a status names a sensor that has been wrong since the first sample. Real-time:
+/// yes.
+inline bool names_wrong_sensor(Status status) noexcept {
+  return status >= Status::kWrongGyroscope && status <= Status::kWrongJointTorques;
 }
 
 /// State of the robot: pose, motion, contacts and external wrench.

@@ -49,6 +49,16 @@ const char* to_string(Status status) noexcept {
       return "saturated";
     case Status::kDiverged:
       return "diverged";
+    case Status::kWrongGyroscope:
+      return "wrong_gyroscope";
+    case Status::kWrongAccelerometer:
+      return "wrong_accelerometer";
+    case Status::kWrongJointAngles:
+      return "wrong_joint_angles";
+    case Status::kWrongJointVelocities:
+      return "wrong_joint_velocities";
+    case Status::kWrongJointTorques:
+      return "wrong_joint_torques";
   }
   return "unknown";
 }

@@ -22,34 +22,50 @@ constexpr double kTorqueFactor = 3.0;  // times the motor's largest torque
 // NaN fails.
 struct FieldCheck {
   Status status = Status::kOk;
+  Status sensor = Status::kOk;        // names the sensor of the first implausible field
+  Status field_sensor = Status::kOk;  // names the sensor of the next fields
   void operator()(double value, double lower, double upper) noexcept {
     if (!(std::abs(value) <= kMaxMagnitude)) {
       status = Status::kNonFinite;
     } else if (!(value >= lower && value <= upper) && status == Status::kOk) {
       status = Status::kImplausible;
+      sensor = field_sensor;
     }
   }
   void operator()(double value, double size) noexcept { (*this)(value, -size, size); }
 };
 
-}  // namespace
-
-Status check_low_state(const LowState& state, const RobotConfig& config) noexcept {
+FieldCheck check_fields(const LowState& state, const RobotConfig& config) noexcept {
   // Packed fields are not aligned: copy them before they are indexed.
   const std::array<float, 4> quaternion = state.imu.quaternion;
   const std::array<float, 3> gyroscope = state.imu.gyroscope;
   const std::array<float, 3> accelerometer = state.imu.accelerometer;
   FieldCheck check;
   for (const float value : quaternion) check(value, kMaxMagnitude);
+  check.field_sensor = Status::kWrongGyroscope;
   for (const float value : gyroscope) check(value, kMaxAngularRate);
+  check.field_sensor = Status::kWrongAccelerometer;
   for (const float value : accelerometer) check(value, kMaxAcceleration);
   for (int i = 0; i < kMotors; ++i) {
     const MotorState& motor = state.motorState[i];
+    check.field_sensor = Status::kWrongJointAngles;
     check(motor.q, config.q_lower[i] - kJointMargin, config.q_upper[i] + kJointMargin);
+    check.field_sensor = Status::kWrongJointVelocities;
     check(motor.dq, kSpeedFactor * config.no_load_speed[i]);
+    check.field_sensor = Status::kWrongJointTorques;
     check(motor.tauEst, kTorqueFactor * config.tau_max[i]);
   }
-  return check.status;
+  return check;
+}
+
+}  // namespace
+
+Status check_low_state(const LowState& state, const RobotConfig& config) noexcept {
+  return check_fields(state, config).status;
+}
+
+Status implausible_sensor(const LowState& state, const RobotConfig& config) noexcept {
+  return check_fields(state, config).sensor;
 }
 
 bool has_unit_quaternion(const IMU& imu) noexcept {

@@ -14,6 +14,10 @@ namespace surefoot {
 /// motor's no-load speed, torques over three times its largest torque; else kOk.
 Status check_low_state(const LowState& state, const RobotConfig& config) noexcept;
 
+/// Return the status that names the sensor of the first implausible field, such as
+/// kWrongJointAngles; kOk if no field is implausible. Real-time: yes.
+Status implausible_sensor(const LowState& state, const RobotConfig& config) noexcept;
+
 /// Return whether the norm of the IMU quaternion is within 5 % of 1. Real-time: yes.
 bool has_unit_quaternion(const IMU& imu) noexcept;
 

@@ -61,6 +61,8 @@ const char* to_string(RunReason reason) noexcept {
       return "no_state";
     case RunReason::kWrongGeneration:
       return "wrong_generation";
+    case RunReason::kNotStanding:
+      return "not_standing";
     case RunReason::kStale:
       return "stale";
     case RunReason::kProcessStalled:

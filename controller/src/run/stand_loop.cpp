@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/dynamics.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -13,6 +14,16 @@ namespace {
 // The run ends after this number of datagrams of another frame generation. Chosen larger than a few
 // stray datagrams; a robot that sends at 500 Hz reaches this number within 20 ms.
 constexpr std::uint64_t kMaxWrongGenerationFrames = 10;
+
+// [standing_height_] Height of the base below which the robot lies. Chosen: half-way. A
+// BodyReference lowers the base by less; a robot that lies with folded legs is lower.
+constexpr double kLyingShare = 0.5;
+
+double standing_height(const Robot& robot) {
+  Dynamics dynamics(robot);
+  dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  return dynamics.p_world_base().z() - contact_points(dynamics).row(2).mean();
+}
 
 const RunOptions& checked_options(const RunOptions& options, const UdpLinkOptions& link) {
   options.validate();
@@ -42,6 +53,7 @@ StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions&
       supervisor_(robot, gains, supervisor_options(options, stand)),
       link_(link),
       tau_max_(robot.config().tau_max),
+      standing_height_(standing_height(robot)),
       damping_(damping_low_cmd(gains.damping_kd)),
       log_(static_cast<std::size_t>(std::ceil(options.log_time * options.rate))) {}
 
@@ -84,10 +96,21 @@ void StandLoop::supervise(bool has_new_state, double elapsed) noexcept {
   if (link_.counts().restarts != counted_restarts_) report_link_lost(RunReason::kRestart);
   const double age = link_.state_age();
   if (robot_silent_ && has_new_state && age < kStaleTime) resume_or_report_lost();
-  send(has_new_state && age < kHoldTime ? control(link_.state())
-                                        : update_without_state(age, elapsed),
-       has_new_state);
+  const LowCmd& command = has_new_state && age < kHoldTime ? control(link_.state())
+                                                           : update_without_state(age, elapsed);
+  if (supervisor_.mode() == Mode::kStand && !snapshot_.stood && lies()) {
+    end(RunReason::kNotStanding);
+    send(damping_, has_new_state);
+    return;
+  }
+  send(command, has_new_state);
   update_phase();
+}
+
+// Return whether a robot with start kStanding lies. The estimator's height is above its feet.
+bool StandLoop::lies() const noexcept {
+  const double height = supervisor_.stand_controller().state().q[2];
+  return options_.start == Start::kStanding && height < kLyingShare * standing_height_;
 }
 
 void StandLoop::send(const LowCmd& command, bool has_new_state) noexcept {

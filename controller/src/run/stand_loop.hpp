@@ -57,6 +57,7 @@ class StandLoop {
   void count_samples() noexcept;
   const LowCmd& control(const LowState& state) noexcept;
   const LowCmd& update_without_state(double age, double elapsed) noexcept;
+  bool lies() const noexcept;
   void resume_or_report_lost() noexcept;
   void report_link_lost(RunReason why) noexcept;
   void update_phase() noexcept;
@@ -71,8 +72,9 @@ class StandLoop {
   RunOptions options_;
   Supervisor supervisor_;
   UdpLink link_;
-  Vector12 tau_max_;  // [N.m]
-  LowCmd damping_;    // sent before the first LowState, and at the end
+  Vector12 tau_max_;        // [N.m]
+  double standing_height_;  // [m] of the base above its contact points, in the standing pose
+  LowCmd damping_;          // sent before the first LowState, and at the end
   Gains gains_;
   // Pose requested by set_body_reference(), without the offsets of the remote's sticks.
   BodyReference requested_pose_;

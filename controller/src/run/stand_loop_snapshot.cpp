@@ -52,7 +52,8 @@ void StandLoop::update_stood_as_requested(Mode previous_mode) noexcept {
       supervisor_.faults().first_active(FaultReaction::kSit) != FaultId::kNone;
   if (damped_while_driven || sat_down_by_fault || snapshot_.mode == Mode::kRise)
     stood_as_requested_ = false;
-  if (snapshot_.mode == Mode::kStand) stood_as_requested_ = true;
+  // A robot that damped and was armed again may lie.
+  if (snapshot_.mode == Mode::kStand) stood_as_requested_ = !lies();
 }
 
 RunPhase StandLoop::phase() const noexcept {

@@ -24,6 +24,11 @@ const LowCmd& CommandHold::repeat_or_damp(double elapsed, double damping_kd) noe
   return command_;
 }
 
+const LowCmd& CommandHold::latch(double damping_kd) noexcept {
+  latched_ = true;
+  return damp(damping_kd);
+}
+
 const LowCmd& CommandHold::damp(double damping_kd) noexcept {
   command_ = damping_low_cmd(damping_kd);
   return command_;

@@ -28,6 +28,9 @@ class CommandHold {
   /// is a fallback command, computed from the present state.
   const LowCmd& substitute(const LowCmd& command, double elapsed, double damping_kd) noexcept;
 
+  /// Latch damping at once, whether or not a command was accepted.
+  const LowCmd& latch(double damping_kd) noexcept;
+
   /// Return damping without latching it, for a period without a sample. The age of the last good
   /// command stays unchanged.
   const LowCmd& damp(double damping_kd) noexcept;

@@ -92,6 +92,7 @@ void StandController::reset() noexcept {
   Impl& s = *impl_;
   s.clock.reset();
   s.estimator.reset();
+  s.sensor_check.reset();
   s.state = s.estimator.state();
   s.reference.reset();
   s.friction.reset();

@@ -27,6 +27,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
     : robot(require_twelve_joints(r)),
       options((o.validate(), o)),
       estimator(r),
+      sensor_check(r),
       reference(r),
       predictor(r.nv(), o.delay),
       predicted_dynamics(r),
@@ -79,6 +80,8 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
     command_hold.accept(torque_command.command(elapsed));
   } else if (is_fresh(fallback_level)) {
     command_hold.substitute(torque_command.command(elapsed), elapsed, kd);
+  } else if (names_wrong_sensor(tick)) {
+    command_hold.latch(kd);
   } else {
     command_hold.repeat_or_damp(elapsed, kd);
   }
@@ -107,7 +110,11 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
                                  acting_command->f_push);
   }
   const Status estimator_status = estimator.update(low_state, dt);
+  const Status wrong_sensor =
+      sensor_check.update(low_state, estimator_status, estimator,
+                          acting_command == nullptr ? nullptr : &acting_command->tau, dt);
   state = estimator.state();
+  if (wrong_sensor != Status::kOk) return wrong_sensor;
   if (estimator_status != Status::kOk) return estimator_status;
   time_since_estimate = 0.0;
   torque_command.observe_joints(state, dt);

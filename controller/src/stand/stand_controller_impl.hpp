@@ -9,6 +9,7 @@
 #include "safety/torque_command.hpp"
 #include "stand/delay_predictor.hpp"
 #include "stand/gain_change_ramp.hpp"
+#include "stand/sensor_check.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/state_estimator.hpp"
 #include "surefoot/whole_body_controller.hpp"
@@ -27,6 +28,7 @@ struct StandController::Impl {
   StandOptions options;
   TickClock clock;
   StateEstimator estimator;
+  SensorCheck sensor_check;
   StandReference reference;
   UsableFriction friction;
   DelayPredictor predictor;

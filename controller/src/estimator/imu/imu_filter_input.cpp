@@ -150,17 +150,16 @@ void ImuFilterInput::replace_rate(const ImuReading& imu, const InvariantFilter& 
   out.w_variance = square(sigma);
 }
 
-// Contact points at rest do not rotate about each other. If the angular velocity with which the
-// dynamics were computed is too high by b, the contact points seem to move with
-// v_i - mean(v) = b x (p_i - mean(p)). The function finds b by least squares.
-bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
-                    Vector3& w_base) noexcept {
+// Find the turn b with
+// v_i - mean(v) = b x (p_i - mean(p)) by least squares.
+bool turn_of_feet(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                  const FeetMatrix& motion, Vector3& turn) noexcept {
   Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();
   int feet = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contact[leg] < 0.5) continue;
     p_mean += dynamics.legs()[leg].p_world_contact;
-    v_mean += dynamics.legs()[leg].v_world_contact;
+    v_mean += motion.col(leg);
     ++feet;
   }
   if (feet < 3) return false;
@@ -172,10 +171,20 @@ bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
     if (contact[leg] < 0.5) continue;
     const Vector3 arm = dynamics.legs()[leg].p_world_contact - p_mean;
     normal_matrix += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
-    moment += arm.cross(dynamics.legs()[leg].v_world_contact - v_mean);
+    moment += arm.cross(motion.col(leg) - v_mean);
   }
-  const Vector3 rate_error = normal_matrix.inverse() * moment;
-  if (!rate_error.allFinite()) return false;
+  turn = normal_matrix.inverse() * moment;
+  return turn.allFinite();
+}
+
+// Contact points at rest do not rotate about each other. If the angular velocity with which the
+// dynamics were computed is too high by b, the contact points seem to turn with b.
+bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                    Vector3& w_base) noexcept {
+  FeetMatrix velocities;
+  for (int leg = 0; leg < kLegs; ++leg) velocities.col(leg) = dynamics.legs()[leg].v_world_contact;
+  Vector3 rate_error;
+  if (!turn_of_feet(dynamics, contact, velocities, rate_error)) return false;
   w_base = dynamics.R_world_base().transpose() * (dynamics.w_world_base() - rate_error);
   return true;
 }

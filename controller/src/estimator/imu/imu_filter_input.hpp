@@ -53,6 +53,14 @@ class ImuFilterInput {
   bool started_ = false;
 };
 
+/// Compute the turn of the stance feet about each other, by least squares; zero for feet at rest.
+///
+/// @param motion velocities or small displacements of the contact points, world axes
+/// @param turn result: rate or angle of the turn, world axes
+/// @return false with fewer than three stance feet or a singular fit
+bool turn_of_feet(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                  const FeetMatrix& motion, Vector3& turn) noexcept;
+
 /// Compute the angular velocity of the base at which the stance feet are at rest, by least squares.
 /// @param w_base result: angular velocity, base axes [rad/s]
 /// @return false if there are fewer than three stance feet or the fit is singular; w_base then
