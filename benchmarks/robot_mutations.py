@@ -167,7 +167,7 @@ def _mutate_value(value: Any, rng: random.Random) -> Any:
         return rng.choice((value + " x", value[:-1], "", "world", value.lower(), "FL_foot", 3))
     if isinstance(value, bool):
         return rng.choice((not value, "yes", 1))
-    number = float(value)
+    number = float(value) if abs(value) < 1e300 else 1.0  # a second change of the same value
     return rng.choice(
         (
             *(-number, number * rng.choice(SCALES), number + rng.choice((-1.0, 0.1, 1.0))),

@@ -10,16 +10,25 @@ using namespace surefoot;
 
 namespace {
 
+// Return the inertia of a random box at a random pose.
+pinocchio::Inertia random_inertia() {
+  const Vector3 size = 0.1 * (Vector3::Random() + Vector3::Constant(1.5));
+  pinocchio::SE3 pose = pinocchio::SE3::Random();
+  pose.translation() *= 0.2;
+  const double mass = 1.5 + Vector3::Random().x();
+  return pose.act(pinocchio::Inertia::FromBox(mass, size.x(), size.y(), size.z()));
+}
+
 // Make a quadruped with the same joint layout but random lengths, masses and inertias.
 pinocchio::Model randomised_model(int seed) {
   std::srand(seed);
   pinocchio::Model model = quadruped().model();
   for (int joint = 1; joint < model.njoints; ++joint) {
-    model.inertias[joint] = pinocchio::Inertia::Random();
-    if (joint > 1) model.jointPlacements[joint].translation() += 0.1 * Vector3::Random();
+    model.inertias[joint] = random_inertia();
+    if (joint > 1) model.jointPlacements[joint].translation() += 0.05 * Vector3::Random();
   }
   for (auto& frame : model.frames) {
-    if (frame.type == pinocchio::BODY) frame.placement.translation() += 0.05 * Vector3::Random();
+    if (frame.type == pinocchio::BODY) frame.placement.translation() += 0.03 * Vector3::Random();
   }
   return model;
 }

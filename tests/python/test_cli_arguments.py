@@ -297,7 +297,7 @@ def test_an_interrupted_run_ends_with_status_130(monkeypatch, capsys):
     def interrupt(_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(arguments, "list_robots", interrupt)
+    monkeypatch.setattr(arguments, "robots", interrupt)
     assert main(["robots"]) == 130
     assert capsys.readouterr().err.count("\n") == 1
 

@@ -51,7 +51,7 @@ INERTIAL = {
         "inertia of 0 kg.m^2",
     ),
     "triangle": (put_inertia("trunk", izz="0.3"), "trunk", "sum of the other two"),
-    "g.mm^2": (put_inertia("trunk", ixx="6e4", iyy="6e4", izz="6e4"), "base", "at most (1 m)^2"),
+    "g.mm^2": (put_inertia("trunk", ixx="6e4", iyy="6e4", izz="6e4"), "base", "at most (2 m)^2"),
     "twice": (
         add(link("trunk"), '<inertial><mass value="1"/></inertial>'),
         "trunk",

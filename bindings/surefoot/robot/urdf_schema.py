@@ -60,10 +60,9 @@ def check_elements(element: ET.Element, where: str) -> list[str]:
         Error: A name looks like a misspelt one, or an element is given twice.
     """
     known = ATTRIBUTES.get(element.tag, {})
-    for name in element.attrib:
-        guess = suggest(name, known)
-        if name not in known and guess:
-            raise Error(f"{where}: got unknown attribute <{element.tag} {name}>{guess}")
+    for name in element.attrib.keys() - known.keys():
+        if guess := suggest(name, known):
+            raise Error(f"{where}: got unknown attribute <{element.tag} {name}>{guess}; correct it")
     doubts: list[str] = []
     seen: set[str] = set()
     valid = CHILDREN.get(element.tag, ())
@@ -86,5 +85,5 @@ def _check_unknown(parent: str, tag: str, where: str) -> list[str]:
         return []
     guess = suggest(tag, CHILDREN.get(parent, ()))
     if guess:
-        raise Error(f"{where}: got unknown element <{tag}> in <{parent}>{guess}")
+        raise Error(f"{where}: got unknown element <{tag}> in <{parent}>{guess}; correct it")
     return [f"{where}: unknown element <{tag}> in <{parent}> is ignored"]

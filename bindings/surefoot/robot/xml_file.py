@@ -41,7 +41,9 @@ def read_xml(path: Path, kind: str, root_tag: str = "robot") -> ET.Element:
     except (LookupError, ValueError) as problem:  # an unknown or wrong encoding
         raise Error(f"'{path}' is not a {kind}: encoding: {problem}") from None
     except RecursionError:
-        raise Error(f"'{path}' is not a {kind}: got elements nested too deeply") from None
+        raise Error(
+            f"'{path}' is not a {kind}: got elements nested too deeply, expected <{root_tag}>"
+        ) from None
     except Error as problem:
         raise Error(f"{kind} '{path}': {problem}") from None
     if root.tag != root_tag:

@@ -13,8 +13,9 @@ namespace {
 
 // [m] Bounds of a body's radius of gyration, the root of moment / mass. Chosen: thin calves have
 // 12 mm, the trunk of a B1 has 0.3 m. Outside these bounds a unit is wrong (g.mm^2, or mm).
-constexpr double kMinGyration = 1e-3, kMaxGyration = 1.0;
-// [m] Greatest distance from a joint to the centre of mass of its body. Chosen: as kMaxGyration.
+constexpr double kMinGyration = 1e-3, kMaxGyration = 2.0;
+// [m] Greatest distance from a joint to the centre of mass of its body. Chosen: half the trunk of
+// the largest quadrupeds has 0.5 m; more means mm.
 constexpr double kMaxLever = 1.0;
 // Share of the largest moment by which the other two may miss it: rounded numbers of thin rods.
 constexpr double kTriangleTolerance = 1e-6;
@@ -51,7 +52,7 @@ void check_moments(const RobotConfig& config, const std::string& what, double ma
   if (moments[2] > kMaxGyration * kMaxGyration * mass) {
     fail_check(
         config, what + ", inertia", got,
-        "at most (1 m)^2 times its mass of " + to_text(mass) + " kg; correct <inertia>, in kg.m^2");
+        "at most (2 m)^2 times its mass of " + to_text(mass) + " kg; correct <inertia>, in kg.m^2");
   }
 }
 

@@ -28,7 +28,9 @@ def load_urdf(description: RobotDescription) -> mujoco.MjSpec:
     # Fixed links stay separate bodies, because feet and IMU are fixed links.
     spec.compiler.fusestatic = False
     for mesh in spec.meshes:
-        _load_mesh(mesh, description)
+        path = find_mesh(mesh.file, description.mesh_root)
+        check_mesh(path)
+        mesh.file = str(path)
     for body in spec.bodies:
         _set_inertia(body)
     root_body(spec).add_freejoint(name="surefoot_base")
@@ -58,8 +60,8 @@ def find_mesh(name: str, mesh_root: Path) -> Path:
     raise Error(f"mesh not found: got '{name}', expected a file below '{mesh_root}'")
 
 
-def _load_mesh(mesh: mujoco.MjsMesh, description: RobotDescription) -> None:
-    path = find_mesh(mesh.file, description.mesh_root)
+def check_mesh(path: Path) -> None:
+    """Raise Error if MuJoCo cannot read a mesh; the message says how to make one that it can."""
     try:
         head = path.open("rb").read(512)
     except OSError as problem:
@@ -73,7 +75,6 @@ def _load_mesh(mesh: mujoco.MjsMesh, description: RobotDescription) -> None:
             f"mesh '{path}': got format '{path.suffix}' in a <collision>, expected "
             f"{', '.join(MESH_SUFFIXES)}; convert it, or use a box, cylinder or sphere"
         )
-    mesh.file = str(path)
 
 
 def _set_inertia(body: mujoco.MjsBody) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -12,9 +13,10 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.geometry.rotations import Array
 from surefoot.robot.loading import RobotDescription
+from surefoot.robot.urdf_numbers import read_numbers
 from surefoot.robot.xml_file import read_xml
 from surefoot.sim.model.collada import Faces, read_collada
-from surefoot.sim.model.urdf import find_mesh
+from surefoot.sim.model.urdf import check_mesh, find_mesh
 
 VISUAL_GROUP = 2  # geom group of visual meshes; MuJoCo shows groups 0 .. 2
 HIDDEN_GROUP = 3  # geom group that MuJoCo does not show
@@ -36,13 +38,15 @@ _TRUNK_COLOUR = (0.72, 0.74, 0.77, 1.0)
 def add_visuals(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     """Add all visual meshes of the URDF, and hide the collision geometry of legs and trunk.
 
-    Missing meshes are skipped. If all are missing, the collision geometry stays visible.
+    Meshes that are missing or cannot be read are skipped. If none is left, the collision geometry
+    stays visible.
     """
     spec.compiler.discardvisual = False
     added = 0
     for link in read_xml(description.urdf, "URDF").iter("link"):
         for visual in link.findall("visual"):
-            added += _add_visual(spec, link.get("name", ""), visual, description.mesh_root)
+            with contextlib.suppress(Error):
+                added += _add_visual(spec, link.get("name", ""), visual, description.mesh_root)
     if added:
         _hide_collisions(spec)
 
@@ -52,21 +56,18 @@ def _add_visual(spec: mujoco.MjSpec, link: str, visual: ET.Element, mesh_root: P
     body = spec.body(link)
     if mesh is None or body is None:
         return False
-    try:
-        path = find_mesh(mesh.get("filename", ""), mesh_root)
-    except Error:
-        return False
-    scale = mesh.get("scale", "1 1 1")
+    path = find_mesh(mesh.get("filename", ""), mesh_root)
+    scale = _numbers(mesh, "scale", 1.0)
+    origin = visual.find("origin")
+    position, rpy = _numbers(origin, "xyz", 0.0), _numbers(origin, "rpy", 0.0)
     name = f"visual {path} {scale}"
     if name not in {mesh_spec.name for mesh_spec in spec.meshes}:
-        _add_mesh(spec, name, path, _numbers(scale))
-    origin = visual.find("origin")
-    pose = {"xyz": "0 0 0", "rpy": "0 0 0"} if origin is None else origin.attrib
+        _add_mesh(spec, name, path, scale)
     body.add_geom(
         type=mujoco.mjtGeom.mjGEOM_MESH,
         meshname=name,
-        pos=_numbers(pose.get("xyz", "0 0 0")),
-        quat=_quaternion(_numbers(pose.get("rpy", "0 0 0"))),
+        pos=position,
+        quat=_quaternion(rpy),
         contype=0,
         conaffinity=0,
         group=VISUAL_GROUP,
@@ -77,20 +78,31 @@ def _add_visual(spec: mujoco.MjSpec, link: str, visual: ET.Element, mesh_root: P
 
 
 def _add_mesh(spec: mujoco.MjSpec, name: str, path: Path, scale: list[float]) -> None:
+    collada = path.suffix.lower() == ".dae"
+    if collada:
+        vertices, faces = load_mesh(path)
+    else:
+        check_mesh(path)
     mesh = spec.add_mesh(name=name, scale=scale)
     # A visual mesh may be open and then has no volume.
     mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
-    if path.suffix.lower() != ".dae":
+    if collada:
+        mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
+    else:
         mesh.file = str(path)
-        return
-    vertices, faces = load_mesh(path)
-    mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
 
 
 @functools.cache
 def load_mesh(path: Path) -> tuple[Array, Faces]:
-    """Return vertices (n, 3) and faces (k, 3) of a .dae file; close vertices are merged. Cached."""
-    return merge_vertices(*read_collada(path))
+    """Return vertices (n, 3) and faces (k, 3) of a .dae file; close vertices are merged. Cached.
+
+    Raises:
+        Error: The file cannot be read.
+    """
+    try:
+        return merge_vertices(*read_collada(path))
+    except (ET.ParseError, ValueError, LookupError, OSError) as problem:
+        raise Error(f"mesh: cannot read '{path}': {problem}") from None
 
 
 def merge_vertices(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
@@ -125,8 +137,10 @@ def _link_colour(link: str) -> tuple[float, float, float, float]:
     return next((colour for part, colour in _LINK_COLOURS.items() if part in link), _TRUNK_COLOUR)
 
 
-def _numbers(text: str) -> list[float]:
-    return [float(word) for word in text.split()]
+def _numbers(element: ET.Element | None, name: str, default: float) -> list[float]:
+    if element is None or name not in element.attrib:
+        return [default] * 3
+    return read_numbers(element, name, 3, "<visual>")
 
 
 def _quaternion(rpy: list[float]) -> Array:
