@@ -2,6 +2,7 @@
 #pragma once
 
 #include "quadruped.hpp"
+#include "surefoot/stand_controller.hpp"
 #include "surefoot/types.hpp"
 
 /// Return a random moving state near the standing pose.
@@ -15,6 +16,14 @@ surefoot::Reference reference_at(const surefoot::Robot& robot, const surefoot::R
 
 /// Return the sample of a robot at rest in the standing pose, with static torques.
 surefoot::LowState resting_sample(const surefoot::Robot& robot, std::uint32_t tick);
+
+namespace surefoot {
+/// Access to the parts of a StandController.
+struct StandControllerTest {
+  /// Let a controller accept samples whose sensors contradict each other.
+  static void accept_sensors(StandController& controller);
+};
+}  // namespace surefoot
 
 /// Return whether all motors brake and do nothing else.
 bool motors_brake(const surefoot::LowCmd& command);

@@ -45,6 +45,7 @@ struct Standing {
   explicit Standing(double power_limit = StandOptions().power_limit)
       : options{0.0, 0.0, QpForm::kAuto, power_limit},
         controller(robot, robot.config().gains, options) {
+    StandControllerTest::accept_sensors(controller);
     controller.add_task(task(1, [this](const RobotState&, TaskRows& rows) {
       return write_faulty_rows(task_fault, rows);
     }));

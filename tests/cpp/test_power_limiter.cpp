@@ -127,6 +127,7 @@ BOOST_AUTO_TEST_CASE(controller_command_keeps_the_power_limit_or_is_saturated) {
   StandOptions options;
   options.power_limit = kLimit;
   StandController free(robot), limited(robot, Gains(), options);
+  for (StandController* c : {&free, &limited}) StandControllerTest::accept_sensors(*c);
   RandomDisturbances disturbances(robot);
   int scaled = 0, above = 0;
   for (std::uint32_t tick = 1; tick < 960; ++tick) {

@@ -31,6 +31,7 @@ struct StandingRobot {
     // Real sensor values change in every sample.
     report.motorState[3].dq = -report.motorState[3].dq;
     report.imu.gyroscope[2] = 1e-6F * float(report.tick % 7);
+    report.imu.accelerometer[2] = static_cast<float>(kGravity) + 1e-4F * float(report.tick % 7);
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
   }

@@ -156,6 +156,7 @@ class StandController {
 
  private:
   struct Impl;
+  friend struct StandControllerTest;  // tests of the library's parts
   std::unique_ptr<Impl> impl_;
 };
 
