@@ -170,6 +170,8 @@ constexpr GainInfo kRows[] = {
      "longest time for which one diagonal pair of legs waits for the other to fold, if a lying "
      "body leans; 0: all legs fold at once"},
 };
+// A member of Gains without a row would be neither saved nor validated.
+static_assert(sizeof(Gains) == std::size(kRows) * sizeof(double), "each gain has a row");
 
 std::vector<std::string> gain_names() {
   std::vector<std::string> names;
