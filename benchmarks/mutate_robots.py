@@ -75,7 +75,10 @@ def run_mutant(job: Job) -> Mutant:
     process.start()
     sender.close()
     try:
-        if receiver.poll(MAX_WALL_TIME):
+        # On a machine under load a process may wait long for a processor; its CPU time is limited.
+        while not receiver.poll(MAX_WALL_TIME) and _is_running(process.pid):
+            pass
+        if receiver.poll():
             return Mutant(**receiver.recv())
         why = f"hangs for {MAX_WALL_TIME:.0f} s"
     except EOFError:
@@ -85,6 +88,11 @@ def run_mutant(job: Job) -> Mutant:
         process.kill()
         process.join()
     return Mutant(False, why, "lost", "", _changes(job))
+
+
+def _is_running(pid: int | None) -> bool:
+    state = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()[0]
+    return state == "R"
 
 
 def _changes(job: Job) -> list[str]:

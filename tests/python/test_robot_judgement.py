@@ -119,7 +119,6 @@ JOINTS = {
     "turned origin": (put(joint("FR_hip_joint", "/origin"), rpy="0 0 3.14159"), "axis"),
     "huge speed": (put(joint("FR_hip_joint", "/limit"), velocity="1e6"), "at most 200 rad/s"),
     "huge torque": (put(joint("FR_hip_joint", "/limit"), effort="1e6"), "20 times the weight"),
-    "weak": (put(joint("FR_calf_joint", "/limit"), effort="1"), "a quarter of the weight"),
     "continuous": (put(joint("FR_thigh_joint"), type="continuous"), None),
 }
 
@@ -275,6 +274,11 @@ def test_names_with_spaces_survive_the_robot_file(go1: EditedRobot, tmp_path: Pa
         config = robot.config
         config.foot_frames = ["FR\nfoot", *config.foot_frames[1:]]
         surefoot.Robot.from_serialized_model(robot.serialized_model(), config)
+
+
+def test_weak_motor_is_accepted_with_a_doubt(go1: EditedRobot) -> None:
+    robot = go1.load(put(joint("FR_calf_joint", "/limit"), effort="1"))
+    assert ["torque limit of FR_calf_joint" in doubt for doubt in robot.doubts] == [True]
 
 
 @pytest.mark.parametrize("name", ["a1", "go1", "go2", "b1"])

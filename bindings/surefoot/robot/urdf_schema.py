@@ -62,7 +62,10 @@ def check_elements(element: ET.Element, where: str) -> list[str]:
     known = ATTRIBUTES.get(element.tag, {})
     for name in element.attrib.keys() - known.keys():
         if guess := suggest(name, known):
-            raise Error(f"{where}: got unknown attribute <{element.tag} {name}>{guess}; correct it")
+            raise Error(
+                f"{where}: got unknown attribute <{element.tag} {name}>{guess}, expected one of "
+                "the URDF standard"
+            )
     doubts: list[str] = []
     seen: set[str] = set()
     valid = CHILDREN.get(element.tag, ())
@@ -85,5 +88,8 @@ def _check_unknown(parent: str, tag: str, where: str) -> list[str]:
         return []
     guess = suggest(tag, CHILDREN.get(parent, ()))
     if guess:
-        raise Error(f"{where}: got unknown element <{tag}> in <{parent}>{guess}; correct it")
+        raise Error(
+            f"{where}: got unknown element <{tag}> in <{parent}>{guess}, expected one of the URDF "
+            "standard"
+        )
     return [f"{where}: unknown element <{tag}> in <{parent}> is ignored"]

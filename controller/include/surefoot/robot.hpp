@@ -23,7 +23,7 @@ class Robot {
   /// Build from a Pinocchio model with a free-flyer root. RobotConfig::armature replaces the
   /// armature of the model. Throws surefoot::Error if the configuration is invalid or does not fit
   /// the model, or if the model is not a quadruped that can stand: a moving body without inertia, a
-  /// turned joint axis, a foot in the wrong quadrant, or a torque limit below the weight.
+  /// turned joint axis, a foot in the wrong quadrant, or a limit that no motor has.
   Robot(const pinocchio::Model& model, const RobotConfig& config);
 
   /// Build from the text that pinocchio::Model::saveToString() of the same Pinocchio version wrote.
