@@ -16,14 +16,16 @@ CORE_GROUPS = {
     "Gains": "Gains GainInfo gain_table get_gain set_gain load_gains save_gains",
     "Low-level interface": (
         "LowState LowCmd IMU MotorState MotorStateArray MotorCmd MotorCmdArray BmsState BmsCmd "
-        "damping_low_cmd is_usable FrameExtras Button WirelessRemote"
+        "damping_low_cmd FrameExtras Button WirelessRemote"
     ),
     "State, reference, solution": (
         "RobotState Reference FootReference BodyReference BodyPoint Solution QpProblem QpForm Task "
         "TaskRows"
     ),
     "Estimation": "StateEstimator EstimatorReport ContactSource SensorVerdict identify_delay",
-    "Statuses": ("Status FallbackLevel Mode Start RequestStatus RiseStage ReachStatus ReachLimit"),
+    "Statuses": (
+        "Status is_usable names_wrong_sensor FallbackLevel Mode Start RequestStatus RiseStage ReachStatus ReachLimit"
+    ),
     "Safety and faults": (
         "Safety ArmingCheck ArmingReport FaultId FaultInfo FaultReaction FaultReport fault_table"
     ),
@@ -101,14 +103,14 @@ def write_python_pages(folder: Path) -> None:
     core = importlib.import_module("surefoot")
     pages = {"constants": _constants_page()}
     grouped = set(_constants())
-    for title, text in CORE_GROUPS.items():
-        names = text.split()
-        grouped |= set(names)
-        pages[title] = _page(title, "Names of the package ``surefoot``.", "surefoot", names)
+    for text in CORE_GROUPS.values():
+        grouped |= set(text.split())
     if grouped != set(core.__all__):
         raise RuntimeError(
             f"python_reference.py: no group has, or no name is: {grouped ^ set(core.__all__)}"
         )
+    for title, text in CORE_GROUPS.items():
+        pages[title] = _page(title, "Names of the package ``surefoot``.", "surefoot", text.split())
     for module, intro in MODULES.items():
         names = list(importlib.import_module(module).__all__)
         pages[module] = _page(module, intro, module, names)

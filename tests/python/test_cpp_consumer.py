@@ -98,10 +98,3 @@ def test_custom_task_example_runs_in_python(tmp_path: Path) -> None:
 def test_custom_task_example_has_less_than_40_lines(example: str) -> None:
     lines = [line.strip() for line in _example(example).splitlines()]
     assert len([line for line in lines if line and not line.startswith(("//", "#", '"""'))]) < 40
-
-
-@pytest.mark.parametrize("number", [0, 1])
-def test_readme_python_examples_run(number: int, tmp_path: Path) -> None:
-    command = [sys.executable, "-c", _readme_blocks("python")[number]]
-    done = subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, text=True)
-    assert "Status.OK" in done.stdout

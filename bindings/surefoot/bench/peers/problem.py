@@ -30,6 +30,9 @@ POSTURE_GAINS = (100.0, 20.0)
 # Weight of the posture task in the units of our QP. Chosen: with a smaller weight the posture is
 # undetermined in the peers, and with a larger weight the posture task disturbs the other tasks.
 POSTURE_WEIGHT = 1e-4
+# [m] Radius of the feet, which are points for the peers. Chosen: far below the 1e-3 m that changes a
+# force; a robot needs a radius above 0.
+POINT_RADIUS = 1e-6
 
 
 @dataclass(frozen=True)
@@ -87,7 +90,9 @@ def make_problem(recording: Recording, urdf: Path) -> Problem:
         q.append(state.q)
         v.append(state.v)
         targets.append([*reference.p_com, *reference.quat_world_base])
-    point_robot = _with_config(robot, peer_equivalent_gains(robot.config.gains), foot_radius=0.0)
+    point_robot = _with_config(
+        robot, peer_equivalent_gains(robot.config.gains), foot_radius=POINT_RADIUS
+    )
     gains = robot.config.gains
     gains.weight_posture = POSTURE_WEIGHT
     return Problem(
