@@ -24,7 +24,8 @@ CORE_GROUPS = {
     ),
     "Estimation": "StateEstimator EstimatorReport ContactSource SensorVerdict identify_delay",
     "Statuses": (
-        "Status is_usable names_wrong_sensor FallbackLevel Mode Start RequestStatus RiseStage ReachStatus ReachLimit"
+        "Status is_usable names_wrong_sensor FallbackLevel Mode Start RequestStatus RiseStage "
+        "ReachStatus ReachLimit"
     ),
     "Safety and faults": (
         "Safety ArmingCheck ArmingReport FaultId FaultInfo FaultReaction FaultReport fault_table"

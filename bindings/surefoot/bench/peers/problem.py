@@ -30,8 +30,8 @@ POSTURE_GAINS = (100.0, 20.0)
 # Weight of the posture task in the units of our QP. Chosen: with a smaller weight the posture is
 # undetermined in the peers, and with a larger weight the posture task disturbs the other tasks.
 POSTURE_WEIGHT = 1e-4
-# [m] Radius of the feet, which are points for the peers. Chosen: far below the 1e-3 m that changes a
-# force; a robot needs a radius above 0.
+# [m] Radius of the feet, which are points for the peers. Chosen: far below the 1e-3 m that changes
+# a force; a robot needs a radius above 0.
 POINT_RADIUS = 1e-6
 
 
