@@ -36,7 +36,7 @@ exclude_patterns = ["tools/**"]
 nitpicky = True
 # Names of other projects, which this site does not link to, and type variables.
 nitpick_ignore_regex = [
-    ("py:.*", r"(numpy|np|npt|casadi|pinocchio|mujoco|pathlib|argparse|collections|typing)\..*"),
+    ("py:.*", r"(os|numpy|np|npt|casadi|pinocchio|mujoco|pathlib|argparse|collections|typing)\..*"),
     ("py:.*", r"(ndarray|NDArray|ArrayLike|Path|Callable|Sequence|Iterator|Iterable|Mapping|Any)"),
     ("py:.*", r"(TextIO|BinaryIO|Literal|Protocol|enum\..*|threading\..*|subprocess\..*)"),
     ("py:.*", r"surefoot(\.\w+){3,}"),  # classes of modules that are not public

@@ -39,6 +39,8 @@ def spawn_context() -> SpawnContext:
     """
     for name in _THREAD_COUNT_VARIABLES:
         os.environ.setdefault(name, "1")
+    # After killed_on_error() Python's resource tracker would warn of semaphores that it cleans up.
+    os.environ.setdefault("PYTHONWARNINGS", "ignore:resource_tracker")
     return _QuietContext()
 
 
