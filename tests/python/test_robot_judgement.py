@@ -98,6 +98,25 @@ def fixed(child: str, parent: str) -> Edit:
     )
 
 
+COLLISION = "/collision/geometry/box"
+SHAPES = {
+    "huge box": (put(link("trunk", COLLISION), size="0.2 1e13 0.1"), "up to 10 m"),
+    "flat box": (put(link("trunk", COLLISION), size="0.2 0 0.1"), "above 0"),
+    "two sizes": (put(link("trunk", COLLISION), size="0.2 0.1"), "3 numbers"),
+    "no shape": (drop(link("trunk", COLLISION)), "got nothing, expected one of <box>"),
+    "origin in mm": (put(link("trunk", "/collision/origin"), xyz="0 0 57"), "in m and rad"),
+    "turn in degrees": (put(link("trunk", "/collision/origin"), rpy="0 90 0"), "in m and rad"),
+}
+
+
+@pytest.mark.parametrize(("edit", "words"), SHAPES.values(), ids=SHAPES)
+def test_wrong_collision_shape_names_its_link(go1: EditedRobot, edit: Edit, words: str) -> None:
+    with pytest.raises(Error) as caught:
+        go1.load(edit)
+    assert "link 'trunk'" in str(caught.value)
+    assert words in str(caught.value)
+
+
 JOINTS = {
     "mimic": (add(joint("FR_hip_joint"), '<mimic joint="FL_hip_joint"/>'), "<mimic>"),
     "zero axis": (put(joint("FR_hip_joint", "/axis"), xyz="0 0 0"), "a direction"),

@@ -16,6 +16,9 @@ from surefoot.robot.urdf_schema import ATTRIBUTES
 # no valid inertia. If larger: a wrong inertia could hide.
 NEGLIGIBLE_MASS = 2e-6
 NEGLIGIBLE_MOMENT = 2e-6
+# [m] Largest size of a collision shape and largest offset. Chosen: a quadruped is smaller than 2 m.
+# If larger: MuJoCo's contact forces overflow; a file in mm passes.
+MAX_SIZE = 10.0
 # Share of the largest moment by which the other two may miss it: rounded numbers of thin rods.
 _TRIANGLE_TOLERANCE = 1e-6
 
@@ -53,11 +56,17 @@ def check_link(link: ET.Element) -> LinkInertia:
 
 
 def check_origin(element: ET.Element, where: str) -> None:
-    """Raise Error if an element's <origin> has a number that cannot be read."""
+    """Raise Error if an element's <origin> has a number that cannot be read or is in mm or deg."""
     origin = element.find("origin")
     for name in ("xyz", "rpy"):
-        if origin is not None and name in origin.attrib:
-            read_numbers(origin, name, 3, where)
+        if origin is None or name not in origin.attrib:
+            continue
+        values = read_numbers(origin, name, 3, where)
+        if max(map(abs, values)) > MAX_SIZE:
+            raise Error(
+                f"{where}: <origin {name}>: got '{origin.get(name)}', expected at most "
+                f"{MAX_SIZE:g}, in m and rad"
+            )
 
 
 def _check_inertial(inertial: ET.Element, where: str) -> LinkInertia:
@@ -102,7 +111,9 @@ def _check_geometry(collision: ET.Element, where: str) -> None:
             raise Error(f"{where}: <mesh scale>: got '{shape.get('scale')}', expected no zero")
         return
     for name, count in ATTRIBUTES[shape.tag].items():
-        if min(read_numbers(shape, name, count, where)) <= 0.0:
+        values = read_numbers(shape, name, count, where)
+        if min(values) <= 0.0 or max(values) > MAX_SIZE:
             raise Error(
-                f"{where}: <{shape.tag} {name}>: got '{shape.get(name)}', expected sizes above 0"
+                f"{where}: <{shape.tag} {name}>: got '{shape.get(name)}', expected sizes above 0, "
+                f"up to {MAX_SIZE:g} m"
             )
