@@ -48,7 +48,11 @@ def add_assess_options(parser: argparse.ArgumentParser) -> None:
         "surefoot.Robot and returns a function from LowState to LowCmd (surefoot)",
     )
     add("--gains", metavar="FILE.toml", help="gains of the controller surefoot (the robot's own)")
-    add("--quick", action="store_true", help="one push duration, minimum of three seeds: minutes")
+    add(
+        "--quick",
+        action="store_true",
+        help="one push duration; the worst of three seeds counts: minutes",
+    )
     add("--scenario", metavar="FILE.toml", help="your own scorecard instead of the full one")
     add("--jobs", type=int, metavar="N", help="number of processes (one per core)")
     add(

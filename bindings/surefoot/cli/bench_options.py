@@ -12,33 +12,28 @@ _INEFFECTIVE_OPTIONS = {
     "--export": ("--solvers", "--ticks", "--peers", "--json", "--report"),
     "--solvers": ("--ticks", "--peers", "--report", "--urdf", "--config", "--qpbenchmark"),
     "--solvers FILE.npz": ("--robot", "--scenario", "--form"),
-    "bench": ("--qpbenchmark",),
+    "bench alone": ("--qpbenchmark",),
 }
 
 
 def check_options(arguments: argparse.Namespace) -> None:
     """Raise Error if an option would have no effect."""
-    commands = ["bench"]
+    commands = ["bench alone"]
     if arguments.export is not None:
         commands = ["--export"]
     elif arguments.solvers is not None:
         commands = ["--solvers", "--solvers FILE.npz"] if arguments.solvers else ["--solvers"]
+    remedy = "--export DIR too" if commands == ["bench alone"] else "the command without it"
     for command in commands:
         for option in _INEFFECTIVE_OPTIONS[command]:
             if _is_given(arguments, option):
-                raise Error(
-                    f"{option}: has no effect with {_command_name(command)}; expected it without"
-                )
+                raise Error(f"{option}: has no effect with {command}, expected {remedy}")
 
 
 def requested_forms(arguments: argparse.Namespace) -> tuple[QpForm, ...]:
     """Return the QP form that --form names as a tuple of one; both forms for "auto"."""
     form = read_form(arguments.form)
     return (QpForm.CONDENSED, QpForm.GENERAL) if form == QpForm.AUTO else (form,)
-
-
-def _command_name(command: str) -> str:
-    return "bench alone, expected --export DIR too" if command == "bench" else command
 
 
 def _is_given(arguments: argparse.Namespace, option: str) -> bool:

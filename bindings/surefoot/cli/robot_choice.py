@@ -34,8 +34,8 @@ def chosen_robot(
         default: Name of the robot if none is chosen.
 
     Raises:
-        Error: Both a name and files are given, one file without the other, or the robot does not
-            exist.
+        Error: A name and files are given (except --urdf for a robot without URDF), one file is
+            given without the other, or the robot does not exist.
     """
     files = {"--urdf": arguments.urdf, "--config": arguments.config}
     given = [name for name, value in files.items() if value is not None]

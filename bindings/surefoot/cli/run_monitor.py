@@ -140,7 +140,9 @@ class _RunMonitor:
             self._print_line(f"{snapshot.time:7.2f} s not re-armed: {why}")
         if snapshot.resumed_dampings > self._resumed_dampings:
             self._resumed_dampings = snapshot.resumed_dampings
-            self._print_line(f"{snapshot.time:7.2f} s resumed: the robot's clock had paused too")
+            self._print_line(
+                f"{snapshot.time:7.2f} s resumed: the robot's clock paused while it was silent"
+            )
         if snapshot.rise_failed and not self._rise_failed:
             self._print_line(
                 f"{snapshot.time:7.2f} s rise given up: a leg or the body did not follow"

@@ -87,7 +87,7 @@ def _add_plant_options(parser: argparse.ArgumentParser) -> None:
     add(
         "--foot-force",
         metavar="est|raw|dead",
-        help="foot force field of LowState that works (as on the robot: dead on go1)",
+        help="which foot forces LowState has: footForceEst, footForce, or none (dead, as on go1)",
     )
     add(
         "--friction",

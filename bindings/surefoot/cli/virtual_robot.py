@@ -36,7 +36,10 @@ def robot(arguments: argparse.Namespace) -> None:
         raise Error("--json: got '-', expected a file: the status lines use stdout")
     check_json_path(arguments.json)
     if arguments.lying:  # print to stderr: programs read the port from the first line of stdout
-        print("simulating drops until the robot lies with free legs: some seconds", file=sys.stderr)
+        print(
+            "dropping the robot until it lies with no leg blocking another: some seconds",
+            file=sys.stderr,
+        )
     options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
     record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))
     write_json(arguments.json, record, indent=None)
