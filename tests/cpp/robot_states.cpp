@@ -10,8 +10,6 @@
 #include <pinocchio/multibody.hpp>
 #include <random>
 
-#include "stand/stand_controller_impl.hpp"
-
 using namespace surefoot;
 
 RobotState random_state(const Robot& robot, int seed, double speed) {
@@ -71,10 +69,6 @@ LowState resting_sample(const Robot& robot, std::uint32_t tick) {
     report.motorState[i].tauEst = static_cast<float>(tau[robot.motor_to_v()[i]]);
   }
   return report;
-}
-
-void StandControllerTest::accept_sensors(StandController& controller) {
-  controller.impl_->sensor_check.accept();
 }
 
 bool motors_brake(const LowCmd& command) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "quadruped.hpp"
-#include "surefoot/stand_controller.hpp"
 #include "surefoot/types.hpp"
 
 /// Return a random moving state near the standing pose.
@@ -16,14 +15,6 @@ surefoot::Reference reference_at(const surefoot::Robot& robot, const surefoot::R
 
 /// Return the sample of a robot at rest in the standing pose, with static torques.
 surefoot::LowState resting_sample(const surefoot::Robot& robot, std::uint32_t tick);
-
-namespace surefoot {
-/// Access to the parts of a StandController.
-struct StandControllerTest {
-  /// Let a controller accept samples whose sensors contradict each other.
-  static void accept_sensors(StandController& controller);
-};
-}  // namespace surefoot
 
 /// Return whether all motors brake and do nothing else.
 bool motors_brake(const surefoot::LowCmd& command);

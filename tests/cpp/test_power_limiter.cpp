@@ -8,6 +8,7 @@
 #include "robot_states.hpp"
 #include "safety/holding_torques.hpp"
 #include "safety/power_limiter.hpp"
+#include "stand/stand_controller_access.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(controller_command_keeps_the_power_limit_or_is_saturated) {
   StandOptions options;
   options.power_limit = kLimit;
   StandController free(robot), limited(robot, Gains(), options);
-  for (StandController* c : {&free, &limited}) StandControllerTest::accept_sensors(*c);
+  for (StandController* c : {&free, &limited}) StandControllerAccess::end_sensor_check(*c);
   RandomDisturbances disturbances(robot);
   int scaled = 0, above = 0;
   for (std::uint32_t tick = 1; tick < 960; ++tick) {

@@ -156,7 +156,7 @@ class StandController {
 
  private:
   struct Impl;
-  friend struct StandControllerTest;  // tests of the library's parts
+  friend struct StandControllerAccess;  // defined in the library
   std::unique_ptr<Impl> impl_;
 };
 

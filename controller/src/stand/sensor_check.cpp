@@ -16,7 +16,7 @@ void SensorCheck::reset() noexcept {
 Status SensorCheck::update(const LowState& low_state, Status estimated,
                            const StateEstimator& estimator, const Vector12* commanded,
                            double dt) noexcept {
-  if (accepted_ || found_ != Status::kOk) return found_;
+  if (ended_ || found_ != Status::kOk) return found_;
   const bool usable = estimated == Status::kOk;
   if (!first_samples_.done()) {
     found_ = first_samples_.update(low_state, estimated, estimator, dt);

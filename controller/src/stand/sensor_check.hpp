@@ -29,8 +29,8 @@ class SensorCheck {
   Status update(const LowState& low_state, Status estimated, const StateEstimator& estimator,
                 const Vector12* commanded, double dt) noexcept;
   void reset() noexcept;
-  /// End the check: the samples are made so that sensors contradict each other. For tests.
-  void accept() noexcept { accepted_ = true; }
+  /// End the check for good: update() returns kOk, also after reset().
+  void end() noexcept { ended_ = true; }
 
  private:
   Robot robot_;
@@ -38,7 +38,7 @@ class SensorCheck {
   TorqueGain torque_gain_;
   MotionCheck motion_;
   Status found_ = Status::kOk;
-  bool accepted_ = false;  // set by accept()
+  bool ended_ = false;  // set by end()
 };
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/capture_margin.hpp"
+#include "stand/stand_controller_access.hpp"
 #include "stand/stand_controller_impl.hpp"
 
 namespace surefoot {
@@ -86,6 +87,10 @@ void StandController::set_gains(const Gains& gains) {
   s.gain_ramp.start(s.controller.gains(), gains);
   if (s.pose_latches == 0 || s.command_hold.latched())
     s.apply_gains(s.gain_ramp.step(GainChangeRamp::kRampTime));
+}
+
+void StandControllerAccess::end_sensor_check(StandController& controller) noexcept {
+  controller.impl_->sensor_check.end();
 }
 
 void StandController::reset() noexcept {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "safety/torque_command.hpp"
+#include "stand/stand_controller_access.hpp"
 #include "surefoot/wireless_remote.hpp"
 
 namespace surefoot {
@@ -54,6 +55,9 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       estimator_faults(o.payload_limit),
       rate_limiter(r.config().tau_max),
       damping_kd(gains.damping_kd) {
+  // Arming checks and fault detectors judge the sensors of a supervised robot. A sensor that fails
+  // while the robot stands has a reaction of its own there; the sensor check would always damp.
+  StandControllerAccess::end_sensor_check(stand);
   context.checks_waived = o.start == Start::kStanding;
   publish();
 }
