@@ -82,6 +82,9 @@ struct RobotState {
 struct FootReference {
   bool stance = true;  ///< true: stance foot; false: swing foot, planned without force
   double load = 1.0;   ///< planned load, 0 .. 1; ramp it to make or break contact
+  /// Smallest contact confidence that the force limits assume, 0 .. 1: a planner that knows when
+  /// the foot lands sets it. 0: the limits follow RobotState::contact.
+  double min_contact = 0.0;
   Vector3 p_world = Vector3::Zero();  ///< [m] desired position of the contact point
   Vector3 v_world = Vector3::Zero();  ///< [m/s] desired velocity of the contact point
   Vector3 a_world = Vector3::Zero();  ///< [m/s^2] feed-forward acceleration of the contact point
@@ -116,6 +119,9 @@ struct Reference {
   bool use_forces = false;
   /// [rad] Joint angles of the posture task, shape (nv - 6,), order of v[6:]; empty: standing pose.
   Eigen::VectorXd posture;
+  /// True: feet are about to step, so the capture point may leave the support polygon. The QP then
+  /// has no priorities at support edges.
+  bool stepping = false;
   /// Ground normal, the same for all feet: unit length, pointing out of the ground.
   Vector3 ground_normal = Vector3::UnitZ();
 };

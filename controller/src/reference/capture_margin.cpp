@@ -33,6 +33,7 @@ SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& refere
 
 double capture_margin(const Dynamics& dynamics, const Reference& reference,
                       const Vector3& dv_com) noexcept {
+  if (reference.stepping) return std::numeric_limits<double>::infinity();
   return capture_margin(dynamics, stance_of(reference), dv_com);
 }
 

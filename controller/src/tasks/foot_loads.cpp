@@ -10,7 +10,7 @@ namespace {
 double scaled_by_contact(double without_contact, double with_contact, double contact,
                          const FootReference& foot) noexcept {
   const double share =
-      without_contact + std::clamp(contact, 0.0, 1.0) * (with_contact - without_contact);
+      without_contact + assumed_contact(contact, foot) * (with_contact - without_contact);
   return planned_load(foot) * share;
 }
 

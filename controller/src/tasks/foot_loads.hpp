@@ -13,6 +13,11 @@ inline double planned_load(const FootReference& foot) noexcept {
   return foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
 }
 
+/// Return the contact confidence that the force limits of a foot assume, 0 .. 1. Real-time: yes.
+inline double assumed_contact(double contact, const FootReference& foot) noexcept {
+  return std::clamp(std::max(contact, foot.min_contact), 0.0, 1.0);
+}
+
 /// Compute the largest normal force of each foot [N], FR FL RR RL:
 ///   weight * planned load * (lost + contact (max - lost))
 /// with the gains max = force_max_contact and lost = force_lost_contact.

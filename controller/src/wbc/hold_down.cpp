@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/hold_down.hpp"
 
-#include <algorithm>
-
 #include "tasks/foot_loads.hpp"
 
 namespace surefoot {
@@ -13,7 +11,7 @@ Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
   Eigen::Vector4d forces;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double load = planned_load(reference.feet[leg]);
-    const double confidence = std::clamp(contact[leg], 0.0, 1.0);
+    const double confidence = assumed_contact(contact[leg], reference.feet[leg]);
     forces[leg] = gains.hold_down * weight * fade * load * confidence;
   }
   return forces;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gait/foot_contacts.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace surefoot {
+
+namespace {
+
+// Contact confidences. Chosen as wide hysteresis: a foot has landed above the first, and has lost
+// the ground below the second.
+constexpr double kLanded = 0.7;
+constexpr double kLost = 0.3;
+// Share of the swing before which a contact is not a landing: the foot still leaves the ground, or
+// it hits an obstacle, over which it goes on.
+constexpr double kEarliestLanding = 0.6;
+// [s] Ramp of the planned load after touchdown and before lift-off. Chosen: shorter than the
+// overlap of the pairs would make the torques jump, longer wastes stance.
+constexpr double kLoadRamp = 0.02;
+// Planned loads of feet that have landed early, and of feet that still reach for the ground.
+constexpr double kEarlyLoad = 0.2;
+constexpr double kLateLoad = 0.1;
+
+}  // namespace
+
+void FootContacts::update(const GaitClock& clock, const Eigen::Vector4d& contact,
+                          double dt) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const FootPhase last = phase_[leg];
+    const bool was_in_stance = in_stance(leg);
+    phase_[leg] = next_phase(leg, clock, contact[leg]);
+    lifted_off_[leg] = last != FootPhase::kSwing && phase_[leg] == FootPhase::kSwing;
+    landed_[leg] = !was_in_stance && in_stance(leg);
+    lost_[leg] = was_in_stance && phase_[leg] == FootPhase::kLateSwing;
+    double target = 0.0;
+    if (phase_[leg] == FootPhase::kStance)
+      target = std::min(1.0, clock.time_to_liftoff(leg) / kLoadRamp);
+    if (phase_[leg] == FootPhase::kEarlyStance) target = kEarlyLoad;
+    if (phase_[leg] == FootPhase::kLateSwing) target = kLateLoad;
+    static const double L0=getenv("LOAD0")?atof(getenv("LOAD0")):0.0, LR=getenv("LOADR")?atof(getenv("LOADR")):0.02;
+    load_[leg] = std::min(target, load_[leg] + dt / LR);
+    if (landed_[leg]) load_[leg] = std::max(load_[leg], std::min(target,L0));
+  }
+}
+
+FootPhase FootContacts::next_phase(int leg, const GaitClock& clock, double contact) noexcept {
+  const FootPhase last = phase_[leg];
+  if (clock.in_swing(leg)) {
+    const bool landed = contact > kLanded && clock.swing_progress(leg) > kEarliestLanding;
+    if (last == FootPhase::kEarlyStance || (last == FootPhase::kSwing && landed)) {
+      return FootPhase::kEarlyStance;
+    }
+    return FootPhase::kSwing;
+  }
+  if (last == FootPhase::kStance) return contact < kLost ? FootPhase::kLateSwing : last;
+  return contact > kLanded ? FootPhase::kStance : FootPhase::kLateSwing;
+}
+
+bool FootContacts::late() const noexcept {
+  return std::find(phase_.begin(), phase_.end(), FootPhase::kLateSwing) != phase_.end();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "gait/gait_clock.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// What a foot does: the schedule of the clock, corrected by the contact confidence.
+enum class FootPhase {
+  kStance,      ///< scheduled to carry load, and in contact
+  kSwing,       ///< scheduled to swing, and in the air
+  kEarlyStance, ///< landed before its time
+  kLateSwing    ///< scheduled to carry load, and not in contact
+};
+
+/// Phases and planned loads of all feet. Real-time: yes.
+class FootContacts {
+ public:
+  /// All feet are in stance with full load.
+  void start() noexcept { *this = {}; }
+
+  /// @param contact contact confidence per foot, 0 .. 1
+  void update(const GaitClock& clock, const Eigen::Vector4d& contact, double dt) noexcept;
+
+  FootPhase phase(int leg) const noexcept { return phase_[leg]; }
+  bool in_stance(int leg) const noexcept {
+    return phase_[leg] == FootPhase::kStance || phase_[leg] == FootPhase::kEarlyStance;
+  }
+  bool lifted_off(int leg) const noexcept { return lifted_off_[leg]; }  ///< in this tick
+  bool landed(int leg) const noexcept { return landed_[leg]; }          ///< in this tick
+  bool lost(int leg) const noexcept { return lost_[leg]; }  ///< the ground was lost in this tick
+  double load(int leg) const noexcept { return load_[leg]; }            ///< planned, 0 .. 1
+  /// Whether a foot that should carry load has not landed.
+  bool late() const noexcept;
+
+ private:
+  FootPhase next_phase(int leg, const GaitClock& clock, double contact) noexcept;
+
+  std::array<FootPhase, kLegs> phase_{};
+  std::array<bool, kLegs> lifted_off_{}, landed_{}, lost_{};
+  std::array<double, kLegs> load_ = {1.0, 1.0, 1.0, 1.0};
+};
+
+}  // namespace surefoot

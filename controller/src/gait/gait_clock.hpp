@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "surefoot/low_level.hpp"
+
+namespace surefoot {
+
+/// Times of a gait. Leg i is in stance while its phase, frac(phase + offset[i]), is below duty.
+struct GaitTiming {
+  double period = 0.42;                                      ///< [s] of one cycle
+  double duty = 0.52;                                        ///< share of the period in stance
+  std::array<double, kLegs> offset = {0.0, 0.5, 0.5, 0.0};  ///< FR FL RR RL
+  double stance_time() const noexcept { return duty * period; }
+  double swing_time() const noexcept { return (1.0 - duty) * period; }
+};
+
+/// Clock of a gait: the phase of each leg. It waits for feet that should have landed and have not:
+/// else a push that lifts the body would let the other feet leave the ground too. Real-time: yes.
+class GaitClock {
+ public:
+  /// Start at a phase at which all legs are in stance: those with offset 0 have just landed.
+  void start() noexcept { *this = {}; }
+
+  /// Advance the phase.
+  /// @param late whether a foot that should carry load has not landed
+  void advance(const GaitTiming& timing, bool late, double dt) noexcept;
+
+  bool in_swing(int leg) const noexcept { return phase_of(leg) >= timing_.duty; }
+  /// Share of the swing that is over, 0 .. 1; 0 in stance.
+  double swing_progress(int leg) const noexcept;
+  double time_to_touchdown(int leg) const noexcept;  ///< [s] 0 in stance
+  double time_to_liftoff(int leg) const noexcept;    ///< [s] 0 in swing
+  double time_since_touchdown(int leg) const noexcept;  ///< [s] as scheduled; 0 in swing
+  bool all_in_stance() const noexcept;
+  const GaitTiming& timing() const noexcept { return timing_; }
+
+ private:
+  double phase_of(int leg) const noexcept;
+
+  GaitTiming timing_;
+  double phase_ = 0.0;   // 0 .. 1
+  double waited_ = 0.0;  // [s] time for which the clock has waited before this lift-off
+};
+
+}  // namespace surefoot
