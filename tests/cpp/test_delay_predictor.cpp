@@ -64,7 +64,7 @@ BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_ex
   state.v = Eigen::VectorXd::LinSpaced(18, 1.0, -1.0);
   state.v.segment<3>(3).setZero();
   for (int k = 0; k < 10; ++k) send(a, kDt);
-  const RobotState& predicted = predictor.predict(state);
+  const RobotState& predicted = predictor.predict(state, kDt);
   const Eigen::VectorXd step = kDelay * state.v + 0.5 * kDelay * kDelay * a;
   BOOST_TEST((predicted.v - state.v - kDelay * a).norm() < 1e-12);
   BOOST_TEST((predicted.q.tail(12) - state.q.tail(12) - step.tail(12)).norm() < 1e-12);
@@ -77,7 +77,7 @@ BOOST_FIXTURE_TEST_CASE(constant_base_rotation_is_predicted, DelayPredictorFixtu
   const Vector3 w(1.0, -2.0, 0.5);
   state.q.segment<4>(3) = tilted.coeffs();
   state.v.segment<3>(3) = w;
-  const RobotState& predicted = predictor.predict(state);
+  const RobotState& predicted = predictor.predict(state, kDt);
   const Quaternion R(predicted.q[6], predicted.q[3], predicted.q[4], predicted.q[5]);
   BOOST_TEST(R.angularDistance(tilted * exp_so3(kDelay * w)) < 1e-7);
   BOOST_TEST(std::abs(R.norm() - 1.0) < 1e-12);
@@ -93,7 +93,7 @@ BOOST_FIXTURE_TEST_CASE(pending_commands_act_in_the_order_they_were_sent, DelayP
     q += kDt * v.tail(12) + 0.5 * kDt * kDt * sent.tail(12);
     v += kDt * sent;
   }
-  const RobotState& predicted = predictor.predict(state);
+  const RobotState& predicted = predictor.predict(state, kDt);
   BOOST_TEST((predicted.v - v).norm() < 1e-12);
   BOOST_TEST((predicted.q.tail(12) - q).norm() < 1e-12);
 }
@@ -102,7 +102,7 @@ BOOST_FIXTURE_TEST_CASE(command_held_longer_than_the_delay_counts_for_its_part,
                         DelayPredictorFixture) {
   send(100.0 * a, 0.010);
   send(a, 0.008);  // acts for the last 8 of 12 ms; the command before it acts for the first 4 ms
-  const RobotState& predicted = predictor.predict(state);
+  const RobotState& predicted = predictor.predict(state, kDt);
   BOOST_TEST((predicted.v - state.v - (0.004 * 100.0 + 0.008) * a).norm() < 1e-12);
 }
 
@@ -113,16 +113,16 @@ BOOST_FIXTURE_TEST_CASE(command_buffer_wraps_and_drops_the_oldest_commands, Dela
     fresh.record((k % 7) * a, 1.0, Vector12::Zero(), Vector3::Zero());
     fresh.advance(kDt);
   }
-  BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);
-  BOOST_TEST((predictor.predict(state).q - fresh.predict(state).q).norm() == 0.0);
+  BOOST_TEST((predictor.predict(state, kDt).v - fresh.predict(state, kDt).v).norm() == 0.0);
+  BOOST_TEST((predictor.predict(state, kDt).q - fresh.predict(state, kDt).q).norm() == 0.0);
 }
 
 BOOST_FIXTURE_TEST_CASE(reset_clears_pending_commands, DelayPredictorFixture) {
   for (int k = 0; k < 10; ++k) send(a, kDt);
   predictor.reset();
-  BOOST_TEST((predictor.predict(state).v - state.v).norm() == 0.0);
-  BOOST_TEST(predictor.active());
-  BOOST_TEST(!DelayPredictor(18, 0.0).active());
+  BOOST_TEST((predictor.predict(state, kDt).v - state.v).norm() == 0.0);
+  BOOST_TEST(predictor.horizon(kDt) == kDelay);
+  BOOST_TEST(DelayPredictor(18, 0.0).horizon(kDt) == 2.0 * kDt);
 }
 
 // Far from standing, the prediction agrees with Pinocchio's integration to second order.
@@ -138,7 +138,7 @@ BOOST_FIXTURE_TEST_CASE(random_motion_is_predicted_to_second_order_in_the_delay,
       q = integrate(robot, q, h * v + 0.5 * h * h * a);
       v += h * a;
     }
-    const RobotState& predicted = predictor.predict(random);
+    const RobotState& predicted = predictor.predict(random, kDt);
     BOOST_TEST((predicted.v - v).norm() < 1e-9);
     BOOST_TEST((predicted.q - q).norm() < 4.0 * kDelay * kDelay);
   }

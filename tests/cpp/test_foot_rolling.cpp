@@ -125,7 +125,7 @@ BOOST_FIXTURE_TEST_CASE(lifted_foot_does_not_move_with_rolling_stance_feet, Roll
   StandPlanner planner(robot);
   Reference desired;
   const auto plan = [&] {
-    planner.plan(make_planner_input(state, gains, dynamics, kDt, robot.mass(), -1), desired);
+    planner.plan(make_planner_input(state, gains, dynamics, kDt, 0.0, robot.mass(), -1), desired);
   };
   for (int tick = 0; tick < 3; ++tick) plan();  // latch the pose
   const FeetMatrix before = contact_points(robot, state.q);

@@ -46,7 +46,7 @@ struct ActiveLimits {
     }
     const JointTable joints = make_joint_table(robot);
     JointLimits limits(kMotors);
-    joint_limits(robot.config(), joints, gains, Vector12::Ones(), state, limits);
+    joint_limits(robot.config(), joints, gains, false, Vector12::Ones(), state, limits);
     for (int k = 0; k < kMotors; ++k) {
       const double tau = s.torques[joints[k].v - 6], a = s.accelerations[joints[k].v];
       torque += std::min(tau - limits.tau_lower[k], limits.tau_upper[k] - tau) < kAtLimit;

@@ -16,7 +16,7 @@ struct LimitsFixture {
   Gains gains;
   JointLimits limits{kMotors};
   RobotState state = standing_state(robot);
-  void update() { joint_limits(robot.config(), joints, gains, Vector12::Ones(), state, limits); }
+  void update() { joint_limits(robot.config(), joints, gains, false, Vector12::Ones(), state, limits); }
 };
 
 }  // namespace

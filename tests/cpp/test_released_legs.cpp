@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_SUITE(released_legs)
 
 BOOST_FIXTURE_TEST_CASE(only_unloaded_feet_are_released_and_only_near_the_edge, StretchedLeg) {
   JointLimits limits(kMotors);
-  joint_limits(robot.config(), joints, gains, Vector12::Ones(), state, limits);
+  joint_limits(robot.config(), joints, gains, false, Vector12::Ones(), state, limits);
   for (const double fade : {0.0, 0.4, 1.0}) {
     for (const double bears : {0.0, 0.7, 1.0}) {
       release_unloaded_legs(joints, fade, {1.0, 1.0, bears, 1.0}, reference, limits);

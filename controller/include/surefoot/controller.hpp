@@ -26,7 +26,8 @@ struct StandOptions {
   /// 0 if the real delay is at most a few ticks. In simulation no robot stood with a delay above
   /// 0.03 s.
   ///
-  /// At 0 nothing is predicted. The estimator then assumes that commands and samples each take one
+  /// At 0 nothing is predicted for a standing robot. For a stepping robot (Reference::stepping) two
+  /// periods are: swing feet are too fast to neglect them. The estimator then assumes that commands and samples each take one
   /// period over the SDK's link. So it compares the sample of tick k, measured at tick k - 1, with
   /// the command of tick k - 3, which acted from tick k - 2 to tick k - 1.
   double delay = 0.0;

@@ -15,6 +15,9 @@ struct PlannerInput {
   const Gains& gains;         ///< gains of this tick
   const Dynamics& dynamics;   ///< kinematics and dynamics at `state`; opaque outside the library
   double dt;                  ///< [s] time since the last good tick
+  /// [s] Time from `state` until the command of this tick acts, see StandOptions::delay. The QP uses
+  /// the state predicted for that time; a reference that moves should be planned for it too.
+  double delay;
   double mass;                ///< [kg] mass of the robot
   Vector3 p_com, v_com;       ///< [m], [m/s] centre of mass
   Matrix3 R_world_base;       ///< orientation of the base in the world

@@ -19,5 +19,6 @@
 #include "surefoot/supervisor.hpp"
 #include "surefoot/task.hpp"
 #include "surefoot/udp_link.hpp"
+#include "surefoot/walk_controller.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "surefoot/wireless_remote.hpp"

@@ -2,7 +2,6 @@
 #include "gait/foot_contacts.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace surefoot {
 
@@ -38,9 +37,7 @@ void FootContacts::update(const GaitClock& clock, const Eigen::Vector4d& contact
       target = std::min(1.0, clock.time_to_liftoff(leg) / kLoadRamp);
     if (phase_[leg] == FootPhase::kEarlyStance) target = kEarlyLoad;
     if (phase_[leg] == FootPhase::kLateSwing) target = kLateLoad;
-    static const double L0=getenv("LOAD0")?atof(getenv("LOAD0")):0.0, LR=getenv("LOADR")?atof(getenv("LOADR")):0.02;
-    load_[leg] = std::min(target, load_[leg] + dt / LR);
-    if (landed_[leg]) load_[leg] = std::max(load_[leg], std::min(target,L0));
+    load_[leg] = std::min(target, load_[leg] + dt / kLoadRamp);
   }
 }
 

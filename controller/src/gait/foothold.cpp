@@ -6,15 +6,24 @@
 
 namespace surefoot {
 
-Eigen::Vector2d foothold(const HorizontalMotion& motion, const Eigen::Vector2d& nominal_foot,
-                         const Eigen::Vector2d& v_command, double yaw_rate, double time_left,
-                         double stance_time, double max_offset) noexcept {
-  const Eigen::Vector2d p_com = motion.p_com + time_left * motion.v_com;
-  const double yaw = motion.yaw + yaw_rate * (time_left + 0.5 * stance_time);
-  const Eigen::Vector2d hip = p_com + Eigen::Rotation2Dd(yaw) * nominal_foot;
+namespace {
+
+// [h] Largest distance of a foothold from its hip at touchdown. Chosen: the reach of the legs at
+// the standing height.
+constexpr double kMaxOffset = 0.83;
+
+}  // namespace
+
+Eigen::Vector2d foothold(const GaitSize& size, const HorizontalMotion& measured,
+                         const BodyTrajectory& body, int leg, double time_left,
+                         double stance_time) noexcept {
+  const double turn = body.velocity().yaw_rate * (time_left + 0.5 * stance_time);
+  const Eigen::Vector2d hip = measured.p_com + time_left * measured.v_com +
+                              Eigen::Rotation2Dd(body.yaw() + turn) *
+                                  Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
   Eigen::Vector2d offset =
-      0.5 * stance_time * v_command + motion.pendulum_time * (motion.v_com - v_command);
-  offset *= std::min(1.0, max_offset / std::max(offset.norm(), 1e-9));
+      0.5 * stance_time * body.v_world() + size.time * (measured.v_com - body.v_world());
+  offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));
   return hip + offset;
 }
 

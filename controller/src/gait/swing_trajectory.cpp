@@ -29,8 +29,8 @@ void SwingTrajectory::update(const Shape& shape, const Vector3& foothold, double
   const double bump = 64.0 * s * s * s * r * r * r;
   const double bump_1 = 192.0 * s * s * r * r * (r - s);
   const double bump_2 = 384.0 * s * r * (r * r - 3.0 * s * r + s * s);
-  const double d = foothold.z() - shape.depth - z_start_;
-  const double slope = -shape.touchdown_speed * swing_time;  // dz/ds at the end
+  const double d = foothold.z() - z_start_;
+  const double slope = -shape.landing_speed * swing_time;  // dz/ds at the end
   const double c3 = 10.0 * d - 4.0 * slope, c4 = -15.0 * d + 7.0 * slope, c5 = 6.0 * d - 3.0 * slope;
   const double line = s * s * s * (c3 + s * (c4 + s * c5));
   const double line_1 = s * s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5));

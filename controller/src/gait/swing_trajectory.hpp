@@ -8,16 +8,15 @@ namespace surefoot {
 /// Motion of one swing foot. Real-time: yes.
 ///
 /// Horizontally: in each tick, the minimum-jerk motion from the present reference to the foothold,
-/// which may move. Vertically: an arc over the line from lift-off to the foothold; the foot arrives
-/// with a downward speed, aims below the ground, and continues at that speed until it lands.
+/// which may move. Vertically: an arc over the line from lift-off to the foothold, which ends with a
+/// downward speed. A foot that meets no ground there continues downwards.
 /// Source of the minimum-jerk motion: Flash and Hogan 1985.
 class SwingTrajectory {
  public:
   /// Heights and speed, with the scale of the robot applied.
   struct Shape {
-    double height;           ///< [m] of the arc
-    double depth;            ///< [m] of the aim below the ground
-    double touchdown_speed;  ///< [m/s] downwards
+    double height;         ///< [m] of the arc
+    double landing_speed;  ///< [m/s] downwards
   };
 
   /// Begin at a foot's present position, at rest.

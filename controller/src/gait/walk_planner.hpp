@@ -1,48 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "gait/foot_contacts.hpp"
-#include "gait/gait_clock.hpp"
-#include "gait/swing_trajectory.hpp"
-#include "gait/walking_body.hpp"
-#include "surefoot/planner.hpp"
-#include "surefoot/robot.hpp"
+#include "gait/stepping.hpp"
+#include "gait/velocity_command.hpp"
+#include "reference/stand_planner.hpp"
 
 namespace surefoot {
 
-/// Planner of a walking robot: a clock lifts diagonal pairs of feet in turn, feet land where the
-/// body will be, and the body moves with the commanded velocity. Real-time: yes.
+/// Planner of a robot that walks, and stands while nothing asks it to walk. Real-time: yes.
 class WalkPlanner : public Planner {
  public:
-  explicit WalkPlanner(const Robot& robot);
+  /// @param velocity_timeout age above which a commanded velocity becomes 0 [s]
+  WalkPlanner(const Robot& robot, double velocity_timeout);
 
-  void set_velocity(const VelocityCommand& command) noexcept { command_ = command; }
+  void set_velocity(const Gains& gains, const WalkVelocity& velocity) noexcept {
+    command_.set(gains, velocity);
+  }
+  void set_gait(Gait gait) noexcept { gait_ = gait; }
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
   void reset() noexcept override;
 
-  const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
-  const FootContacts& contacts() const noexcept { return contacts_; }
-  const GaitClock& clock() const noexcept { return clock_; }
+  bool walking() const noexcept { return walking_; }
+  Gait gait() const noexcept { return gait_; }
+  const VelocityCommand& command() const noexcept { return command_; }
+  const Stepping& stepping() const noexcept { return stepping_; }
+  const StandPlanner& stand() const noexcept { return stand_; }
 
  private:
-  void start(const PlannerInput& input) noexcept;
-  void update_ground(const PlannerInput& input) noexcept;
-  void plan_swing(int leg, const PlannerInput& input) noexcept;
-  void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
+  WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout);
+  bool wants_to_walk(const PlannerInput& input) const noexcept;
+  void stop_walking(Reference& reference) noexcept;
 
-  double corner_;
-  double height_;            // [m] centre of mass above the ground, standing pose
-  FeetMatrix nominal_feet_;  // [m] from the centre of mass, standing pose, heading axes
+  Gait gait_ = Gait::kAuto;
+  bool walking_ = false;
   VelocityCommand command_;
-  bool started_ = false;
-  GaitTiming timing_;
-  GaitClock clock_;
-  FootContacts contacts_;
-  WalkingBody body_;
-  std::array<SwingTrajectory, kLegs> swings_;
-  FeetMatrix footholds_ = FeetMatrix::Zero();
-  FeetMatrix landings_ = FeetMatrix::Zero();  // [m] where each foot stood last
-  double ground_ = 0.0;                       // [m] mean height of landings_
+  StandPlanner stand_;
+  Stepping stepping_;
 };
 
 }  // namespace surefoot

@@ -9,12 +9,13 @@ namespace surefoot {
 /// Return the input of a planner; the parameters are its fields. `state`, `gains` and `dynamics`
 /// must outlive the result. Real-time: yes.
 inline PlannerInput make_planner_input(const RobotState& state, const Gains& gains,
-                                       const Dynamics& dynamics, double dt, double mass,
-                                       int lost_leg) noexcept {
+                                       const Dynamics& dynamics, double dt, double delay,
+                                       double mass, int lost_leg) noexcept {
   PlannerInput input{state,
                      gains,
                      dynamics,
                      dt,
+                     delay,
                      mass,
                      dynamics.p_world_com(),
                      dynamics.v_world_com(),

@@ -17,6 +17,7 @@ constexpr std::string_view kFeet = "Feet";
 constexpr std::string_view kJoints = "Joints";
 constexpr std::string_view kQp = "Quadratic program (QP)";
 constexpr std::string_view kReference = "Body reference";
+constexpr std::string_view kWalking = "Walking";
 constexpr std::string_view kEstimator = "Estimator";
 constexpr std::string_view kCommand = "Command";
 constexpr GainInfo kRows[] = {
@@ -110,6 +111,33 @@ constexpr GainInfo kRows[] = {
     {kReference, "reach_foot_depth", "m", 0, 0.5, &G::reach_foot_depth,
      "distance of a foot below its hip axis at which the body reference stops; at 0 the leg is "
      "singular"},
+    {kWalking, "gait_period", "sqrt(h/g)", 1, 10, &G::gait_period,
+     "longest period of the gait; h: height of the centre of mass above the feet, standing pose"},
+    {kWalking, "gait_duty", "1", 0.3, 0.9, &G::gait_duty,
+     "greatest share of the period in which a foot stands"},
+    {kWalking, "gait_stance_travel", "h", 0.1, 2, &G::gait_stance_travel,
+     "longest distance that the body moves while a foot stands; at higher speed the period is "
+     "shorter"},
+    {kWalking, "gait_swing_speed", "h corner_speed", 0.1, 10, &G::gait_swing_speed,
+     "greatest speed of a swing foot past the body; at higher speed the duty is smaller"},
+    {kWalking, "swing_height", "h", 0.02, 0.8, &G::swing_height,
+     "height to which a swing foot rises"},
+    {kWalking, "swing_landing_speed", "sqrt(g h)", 0, 1, &G::swing_landing_speed,
+     "downward speed at which a foot lands"},
+    {kWalking, "walk_joint_limit_rate", "1/s", 1, 200, &G::walk_joint_limit_rate,
+     "joint_limit_rate of a walking robot"},
+    {kWalking, "walk_acceleration", "g", 0.01, 2, &G::walk_acceleration,
+     "greatest acceleration of the commanded velocity"},
+    {kWalking, "walk_turn_acceleration", "g/h", 0.01, 2, &G::walk_turn_acceleration,
+     "greatest acceleration of the commanded yaw rate"},
+    {kWalking, "walk_speed_forward", "sqrt(g h)", 0, 3, &G::walk_speed_forward,
+     "greatest commanded speed forward"},
+    {kWalking, "walk_speed_backward", "sqrt(g h)", 0, 3, &G::walk_speed_backward,
+     "greatest commanded speed backward"},
+    {kWalking, "walk_speed_sideways", "sqrt(g h)", 0, 3, &G::walk_speed_sideways,
+     "greatest commanded speed to the side"},
+    {kWalking, "walk_turn_speed", "sqrt(g/h)", 0, 3, &G::walk_turn_speed,
+     "greatest commanded yaw rate"},
     {kEstimator, "noise_gyroscope", "rad/s", 1e-6, 10, &G::noise_gyroscope,
      "gyroscope noise, standard deviation of a sample, until it has been measured"},
     {kEstimator, "noise_accelerometer", "m/s^2", 1e-4, 100, &G::noise_accelerometer,

@@ -158,7 +158,7 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
   if (!has_reference) return plan_status;
   estimator.set_ground_normal(reference.ground_normal);
   torque_command.set_lost_leg(lost_leg);
-  if (predictor.active()) return predict_and_solve(plan_status, dt);
+  if (options.delay > 0.0 || reference.stepping) return predict_and_solve(plan_status, dt);
   state.friction = friction.update(dynamics, state, reference, robot.mass(), dt);
   return solve(dynamics, state, plan_status);
 }
@@ -168,7 +168,8 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
 Status Controller::Impl::plan(const Dynamics& dynamics, double dt) noexcept {
   const StageScope stage(Stage::kReference);
   const PlannerInput input = make_planner_input(estimator.state(), controller.gains(), dynamics, dt,
-                                                robot.mass(), lost_leg);
+                                                predictor.horizon(clock.period()), robot.mass(),
+                                                lost_leg);
   const bool done = planner->plan(input, planned);
   if (lost_leg >= 0) release_foot(dynamics.legs()[lost_leg], planned.feet[lost_leg]);
   if (!done || check_reference(planned, robot) != Status::kOk) {
@@ -181,7 +182,7 @@ Status Controller::Impl::plan(const Dynamics& dynamics, double dt) noexcept {
 }
 
 Status Controller::Impl::predict_and_solve(Status plan_status, double dt) noexcept {
-  RobotState& predicted_state = predictor.predict(state);
+  RobotState& predicted_state = predictor.predict(state, clock.period());
   predicted_dynamics.update(predicted_state.q, predicted_state.v, reference.ground_normal);
   predicted_state.friction = state.friction =
       friction.update(predicted_dynamics, predicted_state, reference, robot.mass(), dt);

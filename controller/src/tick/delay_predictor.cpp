@@ -35,8 +35,12 @@ void DelayPredictor::record(const Eigen::VectorXd& accelerations, double scale, 
   count_ = std::min(count_ + 1, kCapacity);
 }
 
+double DelayPredictor::horizon(double period) const noexcept {
+  return delay_ > 0.0 ? delay_ : kDefaultDelayPeriods * period;
+}
+
 const SentCommand* DelayPredictor::acting_command(double period) const noexcept {
-  const double delay = active() ? delay_ : kDefaultDelayPeriods * period;
+  const double delay = horizon(period);
   double age = 0.0;
   for (int k = 1; k <= count_; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
@@ -46,17 +50,18 @@ const SentCommand* DelayPredictor::acting_command(double period) const noexcept 
   return nullptr;
 }
 
-RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
+RobotState& DelayPredictor::predict(const RobotState& state, double period) noexcept {
+  const double delay = horizon(period);
   dv_.setZero();
-  dq_ = delay_ * state.v;
+  dq_ = delay * state.v;
   // Go backwards from the newest command. Each command acts until the next command begins to act.
   // `end` is the time after `state` [s] at which command k stops acting.
-  double end = delay_;
+  double end = delay;
   for (int k = 1; k <= count_ && end > 0.0; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
     const double duration = std::min(sent.dt, end);
     dv_ += duration * sent.accelerations;
-    dq_ += duration * (delay_ - end + 0.5 * duration) * sent.accelerations;
+    dq_ += duration * (delay - end + 0.5 * duration) * sent.accelerations;
     end -= duration;
   }
   // The base part of dq_ is in base axes, like the base part of v.

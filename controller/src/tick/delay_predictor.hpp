@@ -31,8 +31,10 @@ class DelayPredictor {
   /// @param delay time [s] from a measurement until the command computed from it acts
   DelayPredictor(int nv, double delay);
 
-  /// Return whether the delay is above 0. If it is 0, the state need not be predicted.
-  bool active() const noexcept { return delay_ > 0.0; }
+  /// Return the time [s] over which predict() predicts: the delay, or if it is 0, two periods: one
+  /// until the sample arrives, and one until the command acts.
+  /// @param period time between two commands [s]
+  double horizon(double period) const noexcept;
 
   /// Advance the time by `dt` [s]: the command that was sent last has acted for `dt` longer.
   void advance(double dt) noexcept;
@@ -45,15 +47,13 @@ class DelayPredictor {
   void record(const Eigen::VectorXd& accelerations, double scale, const Vector12& tau,
               const Vector3& f_push) noexcept;
 
-  /// Return the command that acted when the newest sample was measured, or null if no command
-  /// acted. If `delay` is 0, two periods are assumed: one until the sample arrives, and one until
-  /// the command acts.
-  /// @param period time between two commands [s]
+  /// Return the command that acted when the newest sample was measured, horizon() ago, or null if no
+  /// command acted.
   const SentCommand* acting_command(double period) const noexcept;
 
-  /// Return the predicted state at the time `delay` after `state`. Until the next call, the caller
+  /// Return the predicted state at the time horizon() after `state`. Until the next call, the caller
   /// may change the result.
-  RobotState& predict(const RobotState& state) noexcept;
+  RobotState& predict(const RobotState& state, double period) noexcept;
 
   void reset() noexcept { count_ = 0; }
 

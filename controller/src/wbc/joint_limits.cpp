@@ -6,8 +6,9 @@
 namespace surefoot {
 
 void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
-                  const Vector12& share, const RobotState& state, JointLimits& out) noexcept {
-  const double r = gains.joint_limit_rate;
+                  bool stepping, const Vector12& share, const RobotState& state,
+                  JointLimits& out) noexcept {
+  const double r = stepping ? gains.walk_joint_limit_rate : gains.joint_limit_rate;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const JointRow& joint = joints[k];
     const double dq = state.v[joint.v];

@@ -24,11 +24,13 @@ struct JointLimits {
 
 /// Compute the joint limits. Torque limits follow the motors' torque-speed curve. Acceleration
 /// limits make each joint approach its position and velocity limits smoothly:
-///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),   r = joint_limit_rate
+///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),   r: below
 /// and likewise for the lower limits. Lower <= upper always holds. a_widening is set to zero.
 /// Real-time: yes.
+/// @param stepping selects r: gain joint_limit_rate, or walk_joint_limit_rate [1/s] if true
 /// @param share usable share of each motor's torque, 0 .. 1, SDK motor order
 void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
-                  const Vector12& share, const RobotState& state, JointLimits& out) noexcept;
+                  bool stepping, const Vector12& share, const RobotState& state,
+                  JointLimits& out) noexcept;
 
 }  // namespace surefoot

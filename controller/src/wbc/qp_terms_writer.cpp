@@ -75,7 +75,8 @@ Status QpTermsWriter::write(const Gains& gains, const Dynamics& dynamics, const 
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
   const double fade = edge_fade(gains, dynamics, reference);
   terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
-  joint_limits(robot_.config(), joints_, gains, torque_share_, state, terms_.limits);
+  joint_limits(robot_.config(), joints_, gains, reference.stepping, torque_share_, state,
+               terms_.limits);
   release_unloaded_legs(joints_, fade, state.contact, reference, terms_.limits);
   limit_foot_accelerations(dynamics, terms_.limits, units_.smallest_determinant,
                            terms_.feet_acceleration);

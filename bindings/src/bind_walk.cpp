@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/eigen/dense.h>
+#include <nanobind/stl/string.h>
+
+#include "bindings.hpp"
+#include "surefoot/walk_controller.hpp"
+#include "value_class.hpp"
+
+using namespace nb::literals;
+using namespace surefoot;
+
+namespace {
+
+void bind_velocity(nb::module_& m) {
+  ValueClass<WalkVelocity>(
+      m, "WalkVelocity",
+      "Velocity of a walking robot in its heading frame: x forward, y to the left, z up.")
+      .def(
+          "__init__",
+          [](WalkVelocity* v, FieldArgument<double> vx, FieldArgument<double> vy,
+             FieldArgument<double> yaw_rate) {
+            constexpr const char* kType = "WalkVelocity";
+            new (v) WalkVelocity{vx.to(kType, "vx"), vy.to(kType, "vy"),
+                                 yaw_rate.to(kType, "yaw_rate")};
+          },
+          "vx"_a = 0.0, "vy"_a = 0.0, "yaw_rate"_a = 0.0,
+          "Create a velocity; the arguments are the attributes.")
+      .def_rw("vx", &WalkVelocity::vx, "Centre of mass, forward [m/s].")
+      .def_rw("vy", &WalkVelocity::vy, "Centre of mass, to the left [m/s].")
+      .def_rw("yaw_rate", &WalkVelocity::yaw_rate, "Turn to the left [rad/s].");
+  nb::enum_<WalkLimit>(m, "WalkLimit", "Limit to which a commanded velocity was clamped.")
+      .value("NONE", WalkLimit::kNone, "No limit: the command is within reach.")
+      .value("FORWARD", WalkLimit::kForward,
+             "vx: gains walk_speed_forward and walk_speed_backward.")
+      .value("SIDEWAYS", WalkLimit::kSideways, "vy: gain walk_speed_sideways.")
+      .value("TURN", WalkLimit::kTurn, "yaw_rate: gain walk_turn_speed.")
+      .value("NOT_FINITE", WalkLimit::kNotFinite,
+             "The command has a NaN or an infinity; the previous one stays in force.");
+  nb::enum_<Gait>(m, "Gait", "What a WalkController does.")
+      .value("AUTO", Gait::kAuto, "Stand at velocity 0, trot otherwise.")
+      .value("TROT", Gait::kTrot, "Trot, also at velocity 0.");
+}
+
+void bind_options(nb::module_& m) {
+  ValueClass<WalkOptions>(m, "WalkOptions",
+                          "Options of a WalkController: fixed at construction, unlike gains.")
+      .def(
+          "__init__",
+          [](WalkOptions* o, FieldArgument<StandOptions> tick,
+             FieldArgument<double> velocity_timeout) {
+            constexpr const char* kType = "WalkOptions";
+            new (o) WalkOptions{tick.to(kType, "tick"),
+                                velocity_timeout.to(kType, "velocity_timeout")};
+          },
+          "tick"_a = StandOptions(), "velocity_timeout"_a = WalkOptions().velocity_timeout,
+          "Create options; the arguments are the attributes.")
+      .def_rw("tick", &WalkOptions::tick, "Options of the tick, a StandOptions.")
+      .def_rw("velocity_timeout", &WalkOptions::velocity_timeout,
+              "Age above which a commanded velocity becomes 0 [s], 0.01 .. 60.\n\n"
+              "A program that ends does not leave the robot walking.");
+}
+
+void bind_controller(nb::module_& m) {
+  nb::class_<WalkController, Controller>(
+      m, "WalkController",
+      "Controller that walks: LowState and a velocity in, LowCmd out.\n\n"
+      "At velocity 0 it stands like a StandController. At another velocity it trots:\n"
+      "diagonal pairs of feet step in turn. Footholds follow the measured velocity, so the\n"
+      "robot also steps after a push. When the velocity is 0 again, it steps until its feet\n"
+      "are in the nominal stance, and stands. With a lost leg it only stands.")
+      .def(
+          "__init__",
+          [](WalkController* self, const Robot& robot, const Gains* gains,
+             const WalkOptions& options) {
+            new (self) WalkController(robot, gains ? *gains : robot.config().gains, options);
+          },
+          "robot"_a, "gains"_a.none() = nb::none(), "options"_a = WalkOptions(),
+          "Create a controller for a robot.\n\n"
+          "Raises Error if the robot does not have twelve joints on a free base, or if a gain\n"
+          "or an option is invalid.\n\n"
+          "Args:\n"
+          "    robot: The robot.\n"
+          "    gains: Gains; None: those of the robot.\n"
+          "    options: Options, fixed from now on.")
+      .def("set_velocity", &WalkController::set_velocity, "velocity"_a,
+           "Command a WalkVelocity; call it more often than WalkOptions.velocity_timeout.\n\n"
+           "The velocity is clamped to the gains walk_speed_forward, walk_speed_backward,\n"
+           "walk_speed_sideways and walk_turn_speed. A velocity with a NaN or an infinity is\n"
+           "ignored. velocity_limit reports both. Real-time: yes.")
+      .def_prop_ro("commanded_velocity", &WalkController::commanded_velocity,
+                   "Velocity that is commanded, clamped; 0 after the timeout.")
+      .def_prop_ro("reference_velocity", &WalkController::reference_velocity,
+                   "Velocity of the reference, which approaches commanded_velocity.")
+      .def_prop_ro("velocity_limit", &WalkController::velocity_limit,
+                   "WalkLimit of the last set_velocity().")
+      .def_prop_rw("gait", &WalkController::gait, &WalkController::set_gait,
+                   "Gait; a change is in force from the next tick on.")
+      .def_prop_ro("walking", &WalkController::walking, "Whether the last tick planned steps.")
+      .def_prop_ro("footholds", &WalkController::footholds,
+                   "Footholds FR FL RR RL, world frame of state [m], shape (3, 4): where each\n"
+                   "foot lands or has landed.")
+      .def_prop_ro("planned_loads", &WalkController::planned_loads,
+                   "Planned loads FR FL RR RL, 0 .. 1, shape (4,); 0: the foot swings.");
+}
+
+}  // namespace
+
+void bind_walk(nb::module_& m) {
+  bind_velocity(m);
+  bind_options(m);
+  bind_controller(m);
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "surefoot/controller.hpp"
+#include "surefoot/walk_velocity.hpp"
+
+namespace surefoot {
+
+class WalkPlanner;
+
+/// Options of a WalkController: fixed at construction, unlike gains.
+struct WalkOptions {
+  StandOptions tick = {};  ///< options of the tick
+  /// [s] Age above which a commanded velocity becomes 0, 0.01 .. 60: a program that ends does not
+  /// leave the robot walking.
+  double velocity_timeout = 0.5;
+
+  /// Throw surefoot::Error if an option is out of range; the message names it.
+  void validate() const;
+};
+
+/// Controller that walks: LowState and a velocity in, LowCmd out.
+///
+/// At velocity 0 it stands like a StandController. At another velocity it trots: diagonal pairs of
+/// feet step in turn. Footholds follow the measured velocity, so the robot also steps after a push.
+/// When the velocity is 0 again, it steps until its feet are in the nominal stance, and stands.
+/// With a lost leg it only stands.
+class WalkController : public Controller {
+ public:
+  /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the
+  /// robot does not have twelve joints on a free base, or if a gain or an option is invalid.
+  explicit WalkController(const Robot& robot);
+  /// The same with other gains than RobotConfig::gains.
+  WalkController(const Robot& robot, const Gains& gains, const WalkOptions& options = {});
+  ~WalkController() override;
+  /// Take over the content of another WalkController, which may only be destroyed afterwards.
+  WalkController(WalkController&&) noexcept;
+
+  /// Command a velocity; call it more often than WalkOptions::velocity_timeout. The velocity is
+  /// clamped to the gains walk_speed_forward, walk_speed_backward, walk_speed_sideways and
+  /// walk_turn_speed. A velocity with a NaN or an infinity is ignored. velocity_limit() reports
+  /// both. Real-time: yes.
+  void set_velocity(const WalkVelocity& velocity) noexcept;
+  WalkVelocity commanded_velocity() const noexcept;  ///< clamped; 0 after the timeout
+  WalkVelocity reference_velocity() const noexcept;  ///< approaches commanded_velocity()
+  WalkLimit velocity_limit() const noexcept;         ///< of the last set_velocity()
+
+  void set_gait(Gait gait) noexcept;  ///< from the next tick on. Real-time: yes.
+  Gait gait() const noexcept;         ///< gait last set; initially kAuto
+  bool walking() const noexcept;      ///< whether the last tick planned steps
+  /// Footholds FR FL RR RL, world frame of state() [m]: where each foot lands or has landed.
+  FeetMatrix footholds() const noexcept;
+  /// Planned loads FR FL RR RL, 0 .. 1; 0: the foot swings.
+  Eigen::Vector4d planned_loads() const noexcept;
+
+ private:
+  WalkController(const Robot& robot, std::shared_ptr<WalkPlanner> planner, const Gains& gains,
+                 const WalkOptions& options);
+  std::shared_ptr<WalkPlanner> planner_;
+};
+
+}  // namespace surefoot

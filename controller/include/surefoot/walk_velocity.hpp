@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace surefoot {
+
+/// Velocity of a walking robot in its heading frame: x forward, y to the left, z up.
+struct WalkVelocity {
+  double vx = 0.0;        ///< [m/s] centre of mass, forward
+  double vy = 0.0;        ///< [m/s] centre of mass, to the left
+  double yaw_rate = 0.0;  ///< [rad/s] to the left
+};
+
+/// Limit to which a commanded velocity was clamped.
+enum class WalkLimit {
+  kNone,      ///< no limit: the command is within reach
+  kForward,   ///< vx: gains walk_speed_forward and walk_speed_backward
+  kSideways,  ///< vy: gain walk_speed_sideways
+  kTurn,      ///< yaw_rate: gain walk_turn_speed
+  kNotFinite  ///< the command has a NaN or an infinity; the previous one stays in force
+};
+/// Return the name of a limit, such as "forward". Real-time: yes.
+const char* to_string(WalkLimit limit) noexcept;
+
+/// What a WalkController does.
+enum class Gait {
+  kAuto,  ///< stand at velocity 0, trot otherwise
+  kTrot   ///< trot, also at velocity 0
+};
+/// Return the name of a gait, such as "trot". Real-time: yes.
+const char* to_string(Gait gait) noexcept;
+
+}  // namespace surefoot

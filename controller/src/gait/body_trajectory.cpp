@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gait/body_trajectory.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// Largest distance of the trajectory from the measured body. Chosen larger than the tracking error
+// of a walk that is not pushed. If larger: after a push the robot rushes back.
+constexpr double kMaxDistance = 0.17;  // [h]
+constexpr double kMaxTurn = 0.1;       // [rad]
+constexpr double kHeightTime = 0.2;    // [s] time constant of the approach to the standing height
+
+double approached(double value, double target, double step) noexcept {
+  return value + std::clamp(target - value, -step, step);
+}
+
+}  // namespace
+
+void BodyTrajectory::start(const HorizontalMotion& measured, double height) noexcept {
+  velocity_ = {};
+  p_ = measured.p_com;
+  v_.setZero();
+  a_.setZero();
+  yaw_ = measured.yaw;
+  height_ = height;
+}
+
+void BodyTrajectory::update(const Gains& gains, const WalkVelocity& command,
+                            const HorizontalMotion& measured, double dt) noexcept {
+  update_velocity(gains, command, dt);
+  p_ += dt * v_;
+  const Eigen::Vector2d ahead = p_ - measured.p_com;
+  const double limit = kMaxDistance * size_.height;
+  p_ = measured.p_com + std::min(1.0, limit / std::max(ahead.norm(), 1e-9)) * ahead;
+  yaw_ += dt * velocity_.yaw_rate;
+  const double turned = std::remainder(yaw_ - measured.yaw, 2.0 * M_PI);
+  yaw_ = measured.yaw + std::clamp(turned, -kMaxTurn, kMaxTurn);
+  height_ += dt / (dt + kHeightTime) * (size_.height - height_);
+}
+
+void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& command,
+                                     double dt) noexcept {
+  const Eigen::Vector2d last(velocity_.vx, velocity_.vy);
+  const Eigen::Vector2d change = Eigen::Vector2d(command.vx, command.vy) - last;
+  const double step = gains.walk_acceleration * kGravity * dt;
+  const Eigen::Vector2d next = last + std::min(1.0, step / std::max(change.norm(), 1e-9)) * change;
+  const double turn_step = gains.walk_turn_acceleration * kGravity / size_.height * dt;
+  velocity_ = {next.x(), next.y(), approached(velocity_.yaw_rate, command.yaw_rate, turn_step)};
+  const Eigen::Rotation2Dd R(yaw_);
+  v_ = R * next;
+  a_ = R * ((next - last) / dt) + velocity_.yaw_rate * Eigen::Vector2d(-v_.y(), v_.x());
+}
+
+void BodyTrajectory::write(const GroundPlane& ground, double ahead,
+                           Reference& reference) const noexcept {
+  const Eigen::Vector2d p = p_ + ahead * v_;
+  const Vector3& n = ground.normal();
+  const Eigen::Vector2d slope = -n.head<2>() / n.z();  // rise per distance
+  reference.body_point = BodyPoint::kCenterOfMass;
+  reference.p_com << p, ground.height_at(p) + height_;
+  reference.v_com << v_, slope.dot(v_);
+  reference.a_com << a_, slope.dot(a_);
+  const Quaternion heading = exp_so3((yaw_ + ahead * velocity_.yaw_rate) * Vector3::UnitZ());
+  reference.R_world_base = Quaternion::FromTwoVectors(Vector3::UnitZ(), n) * heading;
+  reference.w_world_base = velocity_.yaw_rate * n;
+  reference.alpha_world_base.setZero();
+  reference.use_forces = false;
+  reference.ground_normal = n;
+}
+
+}  // namespace surefoot

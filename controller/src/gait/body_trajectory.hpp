@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "gait/gait_size.hpp"
+#include "gait/ground_plane.hpp"
+#include "surefoot/gains.hpp"
+#include "surefoot/types.hpp"
+#include "surefoot/walk_velocity.hpp"
+
+namespace surefoot {
+
+/// Horizontal motion and heading of the measured body, world axes.
+struct HorizontalMotion {
+  Eigen::Vector2d p_com, v_com;  ///< [m], [m/s]
+  double yaw;                    ///< [rad]
+};
+
+/// Trajectory of the body of a walking robot. Real-time: yes.
+///
+/// Its velocity approaches the command with limited acceleration. Its position integrates the
+/// velocity, but stays near the measured body: after a push the robot does not rush back. The
+/// centre of mass stays at the height of the standing pose over the ground plane, along gravity;
+/// the base is parallel to the ground plane.
+class BodyTrajectory {
+ public:
+  explicit BodyTrajectory(const GaitSize& size) : size_(size) {}
+
+  /// Begin at the measured state, at velocity 0.
+  void start(const HorizontalMotion& measured, double height) noexcept;
+  void update(const Gains& gains, const WalkVelocity& command,
+              const HorizontalMotion& measured, double dt) noexcept;
+  /// Write the body's part of the reference, `ahead` seconds later than this tick.
+  void write(const GroundPlane& ground, double ahead, Reference& reference) const noexcept;
+
+  const WalkVelocity& velocity() const noexcept { return velocity_; }  ///< of the trajectory
+  Eigen::Vector2d v_world() const noexcept { return v_; }              ///< [m/s]
+  double yaw() const noexcept { return yaw_; }                         ///< [rad]
+
+ private:
+  void update_velocity(const Gains& gains, const WalkVelocity& command, double dt) noexcept;
+
+  GaitSize size_;
+  WalkVelocity velocity_;
+  Eigen::Vector2d p_ = Eigen::Vector2d::Zero(), v_ = p_, a_ = p_;  // world axes
+  double yaw_ = 0.0;     // [rad]
+  double height_ = 0.0;  // [m] above the ground plane
+};
+
+}  // namespace surefoot

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gait/gait_size.hpp"
+
+#include <cmath>
+
+#include "dynamics/dynamics.hpp"
+
+namespace surefoot {
+
+GaitSize::GaitSize(const Robot& robot) {
+  Dynamics standing(robot);
+  standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  nominal_feet = contact_points(standing).colwise() - standing.p_world_com();
+  height = -nominal_feet.row(2).mean();
+  corner_speed = robot.config().corner_speed[1];
+  time = std::sqrt(height / kGravity);
+  speed = std::sqrt(kGravity * height);
+}
+
+}  // namespace surefoot

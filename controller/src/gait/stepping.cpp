@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gait/stepping.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "gait/foothold.hpp"
+#include "gait/gait_timing.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// [sqrt(g h)] Speed at which a foot reaches down that should have landed: 0.4 m/s at h = 0.3 m.
+// Chosen: about twice the default of swing_landing_speed.
+constexpr double kReachDownSpeed = 0.23;
+// [sqrt(h/g)] Time constant of the ground's normal: 0.35 s at h = 0.3 m. Chosen: about a period, so
+// that one foot on a step does not tilt the body.
+constexpr double kNormalTime = 2.0;
+// can_stop(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
+// largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then moves neither.
+constexpr double kStopDistance = 0.067;
+constexpr double kStopSpeed = 0.03;
+
+HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
+  const Matrix3& R = input.R_world_base;
+  return {input.p_com.head<2>(), input.v_com.head<2>(), std::atan2(R(1, 0), R(0, 0))};
+}
+
+}  // namespace
+
+void Stepping::start(const PlannerInput& input) noexcept {
+  clock_.start();
+  contacts_.start();
+  ground_.start(input.p_feet);
+  const Eigen::Vector2d p = input.p_com.head<2>();
+  body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p));
+  footholds_ = input.p_feet;
+}
+
+void Stepping::plan(const PlannerInput& input, const WalkVelocity& command,
+                    Reference& reference) noexcept {
+  const HorizontalMotion measured = measured_motion(input);
+  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(), input.dt);
+  contacts_.update(clock_, input.state.contact, input.dt);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
+  }
+  ground_.update(kNormalTime * size_.time, input.dt);
+  body_.update(input.gains, command, measured, input.dt);
+  body_.write(ground_, input.delay, reference);
+  reference.stepping = true;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    plan_foot(leg, input, measured);
+    write_foot(leg, input, reference.feet[leg]);
+  }
+}
+
+void Stepping::plan_foot(int leg, const PlannerInput& input,
+                         const HorizontalMotion& measured) noexcept {
+  SwingTrajectory& swing = swings_[leg];
+  if (contacts_.lifted_off(leg) || contacts_.lost(leg)) swing.lift_off(input.p_feet.col(leg));
+  if (contacts_.phase(leg) == FootPhase::kLateSwing) {
+    swing.reach_down(kReachDownSpeed * size_.speed, input.dt);
+  }
+  if (contacts_.phase(leg) != FootPhase::kSwing) return;
+  const double time_left = clock_.time_to_touchdown(leg);
+  const Eigen::Vector2d xy =
+      foothold(size_, measured, body_, leg, time_left, clock_.timing().stance_time());
+  footholds_.col(leg) << xy, ground_.height_at(xy);
+  swing.update({input.gains.swing_height * size_.height,
+                input.gains.swing_landing_speed * size_.speed},
+               footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(),
+               time_left, input.dt);
+}
+
+void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept {
+  const FootPhase phase = contacts_.phase(leg);
+  foot.stance = phase != FootPhase::kSwing;
+  foot.load = contacts_.load(leg);
+  foot.min_contact = 1.0;
+  // A stance foot stays where it is. Its contact point moves as the foot rolls, so the measured
+  // point is the reference.
+  foot.p_world = input.p_feet.col(leg);
+  foot.v_world.setZero();
+  foot.a_world.setZero();
+  if (contacts_.in_stance(leg)) return;
+  const SwingTrajectory& swing = swings_[leg];
+  const double ahead = input.delay;
+  foot.p_world = swing.p_world() + ahead * (swing.v_world() + 0.5 * ahead * swing.a_world());
+  foot.v_world = swing.v_world() + ahead * swing.a_world();
+  foot.a_world = swing.a_world();
+}
+
+bool Stepping::can_stop(const PlannerInput& input) const noexcept {
+  if (input.v_com.head<2>().norm() > kStopSpeed * size_.speed) return false;
+  if (body_.velocity().yaw_rate != 0.0 || !body_.v_world().isZero()) return false;
+  const Eigen::Rotation2Dd R(body_.yaw());
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contacts_.phase(leg) != FootPhase::kStance) return false;
+    const Eigen::Vector2d nominal = size_.nominal_feet.col(leg).head<2>();
+    const Eigen::Vector2d offset = (input.p_feet.col(leg) - input.p_com).head<2>() - R * nominal;
+    if (offset.norm() > kStopDistance * size_.height) return false;
+  }
+  return true;
+}
+
+}  // namespace surefoot

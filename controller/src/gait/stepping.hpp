@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "gait/body_trajectory.hpp"
+#include "gait/foot_contacts.hpp"
+#include "gait/gait_clock.hpp"
+#include "gait/ground_plane.hpp"
+#include "gait/swing_trajectory.hpp"
+#include "surefoot/planner.hpp"
+
+namespace surefoot {
+
+/// Reference of a robot that steps: the clock lifts feet in turn, each foot lands where the body
+/// will need it, and the body moves with the commanded velocity. Real-time: yes.
+class Stepping {
+ public:
+  explicit Stepping(const GaitSize& size) : size_(size), body_(size) {}
+
+  /// Begin at the measured state: all feet stand.
+  void start(const PlannerInput& input) noexcept;
+  void plan(const PlannerInput& input, const WalkVelocity& command, Reference& reference) noexcept;
+
+  /// Return whether the robot can stand now: all feet are on the ground near their nominal
+  /// positions, and the body is at rest.
+  bool can_stop(const PlannerInput& input) const noexcept;
+
+  const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
+  const FootContacts& contacts() const noexcept { return contacts_; }
+  const GaitClock& clock() const noexcept { return clock_; }
+  const BodyTrajectory& body() const noexcept { return body_; }
+
+ private:
+  void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
+  void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
+
+  GaitSize size_;
+  GaitClock clock_;
+  FootContacts contacts_;
+  GroundPlane ground_;
+  BodyTrajectory body_;
+  std::array<SwingTrajectory, kLegs> swings_;
+  FeetMatrix footholds_ = FeetMatrix::Zero();
+};
+
+}  // namespace surefoot

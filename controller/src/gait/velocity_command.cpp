@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gait/velocity_command.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noexcept {
+  if (!std::isfinite(velocity.vx) || !std::isfinite(velocity.vy) ||
+      !std::isfinite(velocity.yaw_rate)) {
+    limit_ = WalkLimit::kNotFinite;
+    return;
+  }
+  age_ = 0.0;
+  limit_ = WalkLimit::kNone;
+  const auto clamp = [this](double value, double low, double high, WalkLimit limit) {
+    if (value < low || value > high) limit_ = limit;
+    return std::clamp(value, low, high);
+  };
+  const double sideways = gains.walk_speed_sideways * size_.speed;
+  const double turn = gains.walk_turn_speed / size_.time;
+  velocity_.yaw_rate = clamp(velocity.yaw_rate, -turn, turn, WalkLimit::kTurn);
+  velocity_.vy = clamp(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
+  velocity_.vx = clamp(velocity.vx, -gains.walk_speed_backward * size_.speed,
+                       gains.walk_speed_forward * size_.speed, WalkLimit::kForward);
+}
+
+void VelocityCommand::advance(double dt) noexcept {
+  age_ += dt;
+  if (age_ > timeout_) velocity_ = {};
+}
+
+void VelocityCommand::reset() noexcept {
+  velocity_ = {};
+  limit_ = WalkLimit::kNone;
+}
+
+bool VelocityCommand::is_zero() const noexcept {
+  return velocity_.vx == 0.0 && velocity_.vy == 0.0 && velocity_.yaw_rate == 0.0;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "gait/gait_size.hpp"
+#include "surefoot/gains.hpp"
+#include "surefoot/walk_velocity.hpp"
+
+namespace surefoot {
+
+/// Commanded velocity: clamped to what the gains allow, and 0 when it is too old. Real-time: yes.
+class VelocityCommand {
+ public:
+  /// @param timeout age above which the command becomes 0 [s]
+  VelocityCommand(const GaitSize& size, double timeout) : size_(size), timeout_(timeout) {}
+
+  void set(const Gains& gains, const WalkVelocity& velocity) noexcept;
+  void advance(double dt) noexcept;
+  void reset() noexcept;
+
+  const WalkVelocity& velocity() const noexcept { return velocity_; }
+  bool is_zero() const noexcept;
+  WalkLimit limit() const noexcept { return limit_; }  ///< of the last set()
+
+ private:
+  GaitSize size_;
+  double timeout_;
+  double age_ = 0.0;  // [s]
+  WalkVelocity velocity_;
+  WalkLimit limit_ = WalkLimit::kNone;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/walk_controller.hpp"
+
+#include "common/text.hpp"
+#include "gait/walk_planner.hpp"
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+namespace {
+
+const WalkOptions& validated(const WalkOptions& options) {
+  options.validate();
+  return options;
+}
+
+}  // namespace
+
+void WalkOptions::validate() const {
+  tick.validate();
+  if (velocity_timeout >= 0.01 && velocity_timeout <= 60.0) return;
+  throw Error("option 'velocity_timeout' out of range: got " + to_text(velocity_timeout) +
+              ", expected 0.01 .. 60 s");
+}
+
+WalkController::WalkController(const Robot& robot) : WalkController(robot, robot.config().gains) {}
+WalkController::WalkController(const Robot& robot, const Gains& gains, const WalkOptions& options)
+    : WalkController(robot,
+                     std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout),
+                     gains, options) {}
+WalkController::WalkController(const Robot& robot, std::shared_ptr<WalkPlanner> planner,
+                               const Gains& gains, const WalkOptions& options)
+    : Controller(robot, planner, gains, options.tick), planner_(std::move(planner)) {}
+WalkController::~WalkController() = default;
+WalkController::WalkController(WalkController&&) noexcept = default;
+
+void WalkController::set_velocity(const WalkVelocity& velocity) noexcept {
+  planner_->set_velocity(active_gains(), velocity);
+}
+WalkVelocity WalkController::commanded_velocity() const noexcept {
+  return planner_->command().velocity();
+}
+WalkVelocity WalkController::reference_velocity() const noexcept {
+  return walking() ? planner_->stepping().body().velocity() : WalkVelocity();
+}
+WalkLimit WalkController::velocity_limit() const noexcept { return planner_->command().limit(); }
+
+void WalkController::set_gait(Gait gait) noexcept { planner_->set_gait(gait); }
+Gait WalkController::gait() const noexcept { return planner_->gait(); }
+bool WalkController::walking() const noexcept { return planner_->walking(); }
+FeetMatrix WalkController::footholds() const noexcept { return planner_->stepping().footholds(); }
+Eigen::Vector4d WalkController::planned_loads() const noexcept {
+  if (!walking()) return Eigen::Vector4d::Ones();
+  Eigen::Vector4d loads;
+  for (int leg = 0; leg < kLegs; ++leg) loads[leg] = planner_->stepping().contacts().load(leg);
+  return loads;
+}
+
+}  // namespace surefoot
