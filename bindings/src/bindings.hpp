@@ -10,6 +10,7 @@ void bind_types(nanobind::module_& m);
 void bind_task(nanobind::module_& m);
 void bind_whole_body(nanobind::module_& m);
 void bind_link(nanobind::module_& m);
+void bind_walk(nanobind::module_& m);
 void bind_run(nanobind::module_& m);
 void bind_run_log(nanobind::module_& m);
 void bind_estimator(nanobind::module_& m);

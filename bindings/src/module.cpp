@@ -26,6 +26,7 @@ NB_MODULE(_core, m) {
   bind_whole_body(m);
   bind_estimator(m);
   bind_stand(m);
+  bind_walk(m);
   bind_link(m);
   bind_safety(m);
   bind_supervisor(m);

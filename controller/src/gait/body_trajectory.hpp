@@ -34,6 +34,7 @@ class BodyTrajectory {
 
   const WalkVelocity& velocity() const noexcept { return velocity_; }  ///< of the trajectory
   Eigen::Vector2d v_world() const noexcept { return v_; }              ///< [m/s]
+  Eigen::Vector2d a_world() const noexcept { return a_; }              ///< [m/s^2]
   double yaw() const noexcept { return yaw_; }                         ///< [rad]
 
  private:

@@ -54,6 +54,10 @@ FootPhase FootContacts::next_phase(int leg, const GaitClock& clock, double conta
   return contact > kLanded ? FootPhase::kStance : FootPhase::kLateSwing;
 }
 
+bool FootContacts::all_in_stance() const noexcept {
+  return std::count(phase_.begin(), phase_.end(), FootPhase::kStance) == kLegs;
+}
+
 bool FootContacts::late() const noexcept {
   return std::find(phase_.begin(), phase_.end(), FootPhase::kLateSwing) != phase_.end();
 }

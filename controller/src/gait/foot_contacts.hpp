@@ -33,6 +33,7 @@ class FootContacts {
   bool landed(int leg) const noexcept { return landed_[leg]; }          ///< in this tick
   bool lost(int leg) const noexcept { return lost_[leg]; }  ///< the ground was lost in this tick
   double load(int leg) const noexcept { return load_[leg]; }            ///< planned, 0 .. 1
+  bool all_in_stance() const noexcept;
   /// Whether a foot that should carry load has not landed.
   bool late() const noexcept;
 

@@ -21,8 +21,10 @@ Eigen::Vector2d foothold(const GaitSize& size, const HorizontalMotion& measured,
   const Eigen::Vector2d hip = measured.p_com + time_left * measured.v_com +
                               Eigen::Rotation2Dd(body.yaw() + turn) *
                                   Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
-  Eigen::Vector2d offset =
-      0.5 * stance_time * body.v_world() + size.time * (measured.v_com - body.v_world());
+  // The feet carry a body that accelerates by a from behind: the zero-moment point is at a h / g.
+  Eigen::Vector2d offset = 0.5 * stance_time * body.v_world() +
+                           size.time * (measured.v_com - body.v_world()) -
+                           size.time * size.time * body.a_world();
   offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));
   return hip + offset;
 }

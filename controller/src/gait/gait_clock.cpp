@@ -16,13 +16,17 @@ double fraction(double value) noexcept { return value - std::floor(value); }
 
 }  // namespace
 
-void GaitClock::advance(const GaitTiming& timing, bool late, double dt) noexcept {
+void GaitClock::advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept {
   timing_ = timing;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (phase_of(leg) < timing_.duty) grounded_[leg] = stop;
+  }
   const double step = dt / timing_.period;
   bool lifts = false;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double phase = phase_of(leg);
-    lifts = lifts || (phase < timing_.duty && phase + step >= timing_.duty);
+    const bool ends = phase < timing_.duty && phase + step >= timing_.duty;
+    lifts = lifts || (ends && !stop);
   }
   if (lifts && late && waited_ < kMaxWait * timing_.period) {
     waited_ += dt;
@@ -37,7 +41,7 @@ double GaitClock::phase_of(int leg) const noexcept {
 }
 
 double GaitClock::swing_progress(int leg) const noexcept {
-  return std::max(phase_of(leg) - timing_.duty, 0.0) / (1.0 - timing_.duty);
+  return in_swing(leg) ? (phase_of(leg) - timing_.duty) / (1.0 - timing_.duty) : 0.0;
 }
 
 double GaitClock::time_to_touchdown(int leg) const noexcept {
@@ -45,18 +49,8 @@ double GaitClock::time_to_touchdown(int leg) const noexcept {
 }
 
 double GaitClock::time_to_liftoff(int leg) const noexcept {
+  if (grounded_[leg]) return timing_.period;
   return std::max(timing_.duty - phase_of(leg), 0.0) * timing_.period;
-}
-
-double GaitClock::time_since_touchdown(int leg) const noexcept {
-  return in_swing(leg) ? 0.0 : phase_of(leg) * timing_.period;
-}
-
-bool GaitClock::all_in_stance() const noexcept {
-  for (int leg = 0; leg < kLegs; ++leg) {
-    if (in_swing(leg)) return false;
-  }
-  return true;
 }
 
 }  // namespace surefoot

@@ -25,15 +25,17 @@ class GaitClock {
 
   /// Advance the phase.
   /// @param late whether a foot that should carry load has not landed
-  void advance(const GaitTiming& timing, bool late, double dt) noexcept;
+  /// @param stop whether no further foot shall lift off; one that has waited lifts off in its next
+  ///   cycle
+  void advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept;
 
-  bool in_swing(int leg) const noexcept { return phase_of(leg) >= timing_.duty; }
+  bool in_swing(int leg) const noexcept {
+    return phase_of(leg) >= timing_.duty && !grounded_[leg];
+  }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
   double time_to_touchdown(int leg) const noexcept;  ///< [s] 0 in stance
-  double time_to_liftoff(int leg) const noexcept;    ///< [s] 0 in swing
-  double time_since_touchdown(int leg) const noexcept;  ///< [s] as scheduled; 0 in swing
-  bool all_in_stance() const noexcept;
+  double time_to_liftoff(int leg) const noexcept;  ///< [s] 0 in swing; a period if it stays
   const GaitTiming& timing() const noexcept { return timing_; }
 
  private:
@@ -41,6 +43,7 @@ class GaitClock {
 
   GaitTiming timing_;
   double phase_ = 0.0;   // 0 .. 1
+  std::array<bool, kLegs> grounded_{};  // the leg skips its swing
   double waited_ = 0.0;  // [s] time for which the clock has waited before this lift-off
 };
 

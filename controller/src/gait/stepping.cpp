@@ -17,7 +17,7 @@ constexpr double kReachDownSpeed = 0.23;
 // [sqrt(h/g)] Time constant of the ground's normal: 0.35 s at h = 0.3 m. Chosen: about a period, so
 // that one foot on a step does not tilt the body.
 constexpr double kNormalTime = 2.0;
-// can_stop(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
+// is_at_rest(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then moves neither.
 constexpr double kStopDistance = 0.067;
 constexpr double kStopSpeed = 0.03;
@@ -30,6 +30,7 @@ HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
 }  // namespace
 
 void Stepping::start(const PlannerInput& input) noexcept {
+  at_rest_ = false;
   clock_.start();
   contacts_.start();
   ground_.start(input.p_feet);
@@ -38,10 +39,12 @@ void Stepping::start(const PlannerInput& input) noexcept {
   footholds_ = input.p_feet;
 }
 
-void Stepping::plan(const PlannerInput& input, const WalkVelocity& command,
+void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
                     Reference& reference) noexcept {
   const HorizontalMotion measured = measured_motion(input);
-  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(), input.dt);
+  at_rest_ = may_stop && is_at_rest(input);
+  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(), at_rest_,
+                 input.dt);
   contacts_.update(clock_, input.state.contact, input.dt);
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
@@ -92,12 +95,12 @@ void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foo
   foot.a_world = swing.a_world();
 }
 
-bool Stepping::can_stop(const PlannerInput& input) const noexcept {
+// The body is at rest, and all feet are near their nominal positions.
+bool Stepping::is_at_rest(const PlannerInput& input) const noexcept {
   if (input.v_com.head<2>().norm() > kStopSpeed * size_.speed) return false;
   if (body_.velocity().yaw_rate != 0.0 || !body_.v_world().isZero()) return false;
   const Eigen::Rotation2Dd R(body_.yaw());
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (contacts_.phase(leg) != FootPhase::kStance) return false;
     const Eigen::Vector2d nominal = size_.nominal_feet.col(leg).head<2>();
     const Eigen::Vector2d offset = (input.p_feet.col(leg) - input.p_com).head<2>() - R * nominal;
     if (offset.norm() > kStopDistance * size_.height) return false;

@@ -18,11 +18,12 @@ class Stepping {
 
   /// Begin at the measured state: all feet stand.
   void start(const PlannerInput& input) noexcept;
-  void plan(const PlannerInput& input, const WalkVelocity& command, Reference& reference) noexcept;
+  /// @param may_stop whether no foot shall lift off once the body is at rest over the nominal stance
+  void plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
+            Reference& reference) noexcept;
 
-  /// Return whether the robot can stand now: all feet are on the ground near their nominal
-  /// positions, and the body is at rest.
-  bool can_stop(const PlannerInput& input) const noexcept;
+  /// Return whether the robot has stopped: all feet are on the ground, and it need not step.
+  bool has_stopped() const noexcept { return at_rest_ && contacts_.all_in_stance(); }
 
   const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
   const FootContacts& contacts() const noexcept { return contacts_; }
@@ -30,6 +31,7 @@ class Stepping {
   const BodyTrajectory& body() const noexcept { return body_; }
 
  private:
+  bool is_at_rest(const PlannerInput& input) const noexcept;
   void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
 
@@ -39,6 +41,7 @@ class Stepping {
   GroundPlane ground_;
   BodyTrajectory body_;
   std::array<SwingTrajectory, kLegs> swings_;
+  bool at_rest_ = false;  // no foot need lift off
   FeetMatrix footholds_ = FeetMatrix::Zero();
 };
 

@@ -19,13 +19,13 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
   command_.advance(input.dt);
   const bool walk = wants_to_walk(input);
   if (walk && !walking_) stepping_.start(input);
-  if (walking_ && !walk && (input.lost_leg >= 0 || stepping_.can_stop(input))) {
+  if (walking_ && !walk && (input.lost_leg >= 0 || stepping_.has_stopped())) {
     stop_walking(reference);
   } else {
     walking_ = walking_ || walk;
   }
   if (!walking_) return stand_.plan(input, reference);
-  stepping_.plan(input, command_.velocity(), reference);
+  stepping_.plan(input, command_.velocity(), !walk, reference);
   return true;
 }
 

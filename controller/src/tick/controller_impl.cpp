@@ -142,7 +142,8 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
       lost_leg >= 0
           ? Status::kOk
           : sensor_check.update(low_state, estimator_status, estimator,
-                                acting_command == nullptr ? nullptr : &acting_command->tau, dt);
+                                acting_command == nullptr ? nullptr : &acting_command->tau,
+                                !reference.stepping, dt);
   state = estimator.state();
   if (wrong_sensor != Status::kOk) return wrong_sensor;
   if (estimator_status != Status::kOk) return estimator_status;

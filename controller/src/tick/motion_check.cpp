@@ -49,8 +49,9 @@ Vector clamped(const Vector& values, double limit) noexcept {
 }  // namespace
 
 Status MotionCheck::update(const LowState& low_state, const RobotConfig& config,
-                           const StateEstimator& estimator, double dt) noexcept {
+                           const StateEstimator& estimator, bool feet_stand, double dt) noexcept {
   read(low_state, config, estimator, dt);
+  if (!feet_stand) by_gyroscope_ = by_quaternion_ = by_legs_ = Vector3::Zero();
   const Status turns = turns_done_ ? Status::kOk : judge_turns(estimator);
   const Status joints = joints_done_ ? Status::kOk : judge_joints(estimator);
   return joints != Status::kOk ? joints : turns;

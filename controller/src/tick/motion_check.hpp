@@ -14,9 +14,11 @@ namespace surefoot {
 /// the third. Sensors that agree about a motion are right: their check ends. Real-time: yes.
 class MotionCheck {
  public:
-  /// Judge a sample that the estimator used. @return kOk, or the status that names a wrong sensor
+  /// Judge a sample that the estimator used.
+  /// @param feet_stand false: feet step, so turns are not compared
+  /// @return kOk, or the status that names a wrong sensor
   Status update(const LowState& low_state, const RobotConfig& config,
-                const StateEstimator& estimator, double dt) noexcept;
+                const StateEstimator& estimator, bool feet_stand, double dt) noexcept;
   bool done() const noexcept { return joints_done_ && turns_done_; }
   void reset() noexcept { *this = MotionCheck(); }
 

@@ -15,7 +15,7 @@ void SensorCheck::reset() noexcept {
 
 Status SensorCheck::update(const LowState& low_state, Status estimated,
                            const StateEstimator& estimator, const Vector12* commanded,
-                           double dt) noexcept {
+                           bool feet_stand, double dt) noexcept {
   if (ended_ || found_ != Status::kOk) return found_;
   const bool usable = estimated == Status::kOk;
   if (!first_samples_.done()) {
@@ -27,7 +27,7 @@ Status SensorCheck::update(const LowState& low_state, Status estimated,
   // A motion by wrong joint angles does not show what is wrong.
   if (usable && found_ == Status::kOk && !motion_.done() &&
       !first_samples_.suspects_joint_angles()) {
-    found_ = motion_.update(low_state, robot_.config(), estimator, dt);
+    found_ = motion_.update(low_state, robot_.config(), estimator, feet_stand, dt);
   }
   return found_;
 }

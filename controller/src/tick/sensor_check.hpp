@@ -25,9 +25,10 @@ class SensorCheck {
   /// @param estimator state after this sample
   /// @param commanded [N.m] torques that acted when the sample was measured, or null
   /// @param dt [s] since the last judged sample
+  /// @param feet_stand false: the planner lets feet step
   /// @return kOk, or the status that names the wrong sensor, kept until reset()
   Status update(const LowState& low_state, Status estimated, const StateEstimator& estimator,
-                const Vector12* commanded, double dt) noexcept;
+                const Vector12* commanded, bool feet_stand, double dt) noexcept;
   void reset() noexcept;
   /// End the check for good: update() returns kOk, also after reset().
   void end() noexcept { ended_ = true; }
