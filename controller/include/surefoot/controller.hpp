@@ -60,8 +60,8 @@ struct StandOptions {
 /// FallbackLevel. If the sample is unusable or the robot has fallen, the last command is repeated.
 /// If the estimate diverges, or after a gap of more than 100 ms, the motors damp at once. Commands
 /// have Kd > 0 only with StandOptions::motor_damping, for a lost leg, and at the levels kGravity
-/// and kDamping. At most 10 ms may pass without a solved command; then the motors damp (dq = 0, Kd
-/// > 0, tau = 0), latched until reset(). All times are measured by LowState::tick.
+/// and kDamping. At most 10 ms may pass without a solved command; then damping is latched until
+/// reset(): dq = 0, Kd > 0, tau = 0. All times are measured by LowState::tick.
 ///
 /// Assumes twelve joints on a free base, spherical feet, and one ground plane under all stance
 /// feet. Not thread-safe.

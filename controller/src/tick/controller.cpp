@@ -26,7 +26,7 @@ std::uint64_t Controller::fallback_count(FallbackLevel fallback_level) const noe
 }
 const RobotState& Controller::state() const noexcept { return impl_->state; }
 EstimatorReport Controller::estimator_report() const noexcept { return impl_->estimator.report(); }
-const Reference& Controller::reference() const noexcept { return impl_->reference; }
+const Reference& Controller::reference() const noexcept { return impl_->planned.reference(); }
 const Solution& Controller::solution() const noexcept { return impl_->controller.solution(); }
 const QpProblem& Controller::qp() const noexcept { return impl_->controller.qp(); }
 bool Controller::has_foot_force_est() const noexcept {
@@ -77,9 +77,7 @@ void Controller::reset() noexcept {
   s.estimator.reset();
   s.sensor_check.reset();
   s.state = s.estimator.state();
-  s.planner->reset();
-  s.reference = s.planned = s.initial_reference;
-  s.has_reference = false;
+  s.planned.reset();
   s.lost_leg = -1;
   s.friction.reset();
   s.controller.reset();

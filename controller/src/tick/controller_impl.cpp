@@ -3,10 +3,7 @@
 
 #include "low_level/low_state_check.hpp"
 #include "reference/planner_input.hpp"
-#include "robot/joint_table.hpp"
 #include "surefoot/error.hpp"
-#include "surefoot/stage_clock.hpp"
-#include "wbc/input_check.hpp"
 
 namespace surefoot {
 
@@ -20,30 +17,6 @@ const Robot& require_twelve_joints(const Robot& robot) {
               "other joints fixed, or use a WholeBodyController with your own state");
 }
 
-std::shared_ptr<Planner> require_planner(std::shared_ptr<Planner> planner) {
-  if (planner) return planner;
-  throw Error("Controller: got no planner, expected an object of a class derived from Planner");
-}
-
-// Plan no load for the foot of a lost leg, and its measured motion as desired motion. With any
-// other desired motion the QP would plan to accelerate the lost leg, for example to get a reaction
-// force on the trunk. But the leg has no torque, so this force would not exist.
-void release_foot(const LegDynamics& leg, FootReference& foot) noexcept {
-  foot.stance = false;
-  foot.load = 0.0;
-  foot.p_world = leg.p_world_contact;
-  foot.v_world = leg.v_world_contact;
-}
-
-Reference make_initial_reference(const Robot& robot) {
-  Reference reference;
-  reference.posture = Eigen::VectorXd::Zero(robot.nv() - 6);
-  for (const JointRow& joint : make_joint_table(robot)) {
-    reference.posture[joint.v - 6] = joint.q_standing;
-  }
-  return reference;
-}
-
 }  // namespace
 
 Controller::Impl::Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& g,
@@ -52,10 +25,7 @@ Controller::Impl::Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& 
       options((o.validate(), o)),
       estimator(r),
       sensor_check(r),
-      planner(require_planner(std::move(p))),
-      initial_reference(make_initial_reference(r)),
-      planned(initial_reference),
-      reference(initial_reference),
+      planned(r, std::move(p)),
       predictor(r.nv(), o.delay),
       predicted_dynamics(r),
       controller(r, g, WholeBodyOptions{o.form}),
@@ -143,7 +113,7 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
           ? Status::kOk
           : sensor_check.update(low_state, estimator_status, estimator,
                                 acting_command == nullptr ? nullptr : &acting_command->tau,
-                                !reference.stepping, dt);
+                                !planned.reference().stepping, dt);
   state = estimator.state();
   if (wrong_sensor != Status::kOk) return wrong_sensor;
   if (estimator_status != Status::kOk) return estimator_status;
@@ -155,38 +125,25 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
     return Status::kFallen;
   }
   started = true;
-  const Status plan_status = plan(dynamics, dt);
-  if (!has_reference) return plan_status;
-  estimator.set_ground_normal(reference.ground_normal);
+  const Status plan_status = planned.plan(
+      make_planner_input(estimator.state(), controller.gains(), dynamics, dt,
+                         predictor.horizon(clock.period()), robot.mass(), lost_leg));
+  if (!planned.has_reference()) return plan_status;
+  estimator.set_ground_normal(planned.reference().ground_normal);
   torque_command.set_lost_leg(lost_leg);
-  if (options.delay > 0.0 || reference.stepping) return predict_and_solve(plan_status, dt);
-  state.friction = friction.update(dynamics, state, reference, robot.mass(), dt);
-  return solve(dynamics, state, plan_status);
-}
-
-// Let the planner write its reference, and accept it if it is valid. Otherwise keep the last valid
-// reference, also as the start of the next plan.
-Status Controller::Impl::plan(const Dynamics& dynamics, double dt) noexcept {
-  const StageScope stage(Stage::kReference);
-  const PlannerInput input = make_planner_input(estimator.state(), controller.gains(), dynamics, dt,
-                                                predictor.horizon(clock.period()), robot.mass(),
-                                                lost_leg);
-  const bool done = planner->plan(input, planned);
-  if (lost_leg >= 0) release_foot(dynamics.legs()[lost_leg], planned.feet[lost_leg]);
-  if (!done || check_reference(planned, robot) != Status::kOk) {
-    planned = reference;
-    return Status::kBadReference;
+  if (options.delay > 0.0 || planned.reference().stepping) {
+    return predict_and_solve(plan_status, dt);
   }
-  reference = planned;
-  has_reference = true;
-  return Status::kOk;
+  state.friction = friction.update(dynamics, state, planned.reference(), robot.mass(), dt);
+  return solve(dynamics, state, plan_status);
 }
 
 Status Controller::Impl::predict_and_solve(Status plan_status, double dt) noexcept {
   RobotState& predicted_state = predictor.predict(state, clock.period());
-  predicted_dynamics.update(predicted_state.q, predicted_state.v, reference.ground_normal);
+  predicted_dynamics.update(predicted_state.q, predicted_state.v,
+                            planned.reference().ground_normal);
   predicted_state.friction = state.friction =
-      friction.update(predicted_dynamics, predicted_state, reference, robot.mass(), dt);
+      friction.update(predicted_dynamics, predicted_state, planned.reference(), robot.mass(), dt);
   return solve(predicted_dynamics, predicted_state, plan_status);
 }
 
@@ -198,15 +155,16 @@ Status Controller::Impl::solve(const Dynamics& dynamics, const RobotState& used_
     compute_fallback(dynamics, used_state);
     return plan_status;
   }
-  const Solution& solution = controller.solve(dynamics, used_state, reference);
+  const Solution& solution = controller.solve(dynamics, used_state, planned.reference());
   fallback_level = FallbackLevel::kSolved;
   if (!is_usable(solution.status)) {
     controller.solve_cold(dynamics);  // the reference `solution` now has the new result
     fallback_level = FallbackLevel::kColdSolve;
   }
   if (is_usable(solution.status)) {
-    fallback_chain.remember(controller.gains(), dynamics, used_state, reference, solution.forces);
-    return torque_command.set_torques(solution, dynamics, used_state, reference,
+    fallback_chain.remember(controller.gains(), dynamics, used_state, planned.reference(),
+                            solution.forces);
+    return torque_command.set_torques(solution, dynamics, used_state, planned.reference(),
                                       controller.gains());
   }
   compute_fallback(dynamics, used_state);
@@ -218,10 +176,11 @@ Status Controller::Impl::solve(const Dynamics& dynamics, const RobotState& used_
 void Controller::Impl::compute_fallback(const Dynamics& dynamics,
                                         const RobotState& used_state) noexcept {
   const Gains& gains = controller.gains();
-  fallback_level = fallback_chain.compute_fallback(gains, dynamics, used_state, reference);
+  fallback_level =
+      fallback_chain.compute_fallback(gains, dynamics, used_state, planned.reference());
   if (fallback_level == FallbackLevel::kHold) return;
   torque_command.set_torques(fallback_chain.torques(), fallback_chain.damping(), dynamics,
-                             used_state, reference, gains);
+                             used_state, planned.reference(), gains);
 }
 
 }  // namespace surefoot

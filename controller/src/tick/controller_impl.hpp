@@ -11,6 +11,7 @@
 #include "surefoot/whole_body_controller.hpp"
 #include "tick/delay_predictor.hpp"
 #include "tick/gain_change_ramp.hpp"
+#include "tick/planned_reference.hpp"
 #include "tick/sensor_check.hpp"
 
 namespace surefoot {
@@ -28,13 +29,7 @@ struct Controller::Impl {
   TickClock clock;
   StateEstimator estimator;
   SensorCheck sensor_check;
-  std::shared_ptr<Planner> planner;
-  /// Reference before the first tick: default, with the standing pose as posture. So planners can
-  /// write the posture in place, and copies of a Reference do not allocate.
-  const Reference initial_reference;
-  Reference planned;           // written by the planner; equal to `reference` between ticks
-  Reference reference;         // last valid reference
-  bool has_reference = false;  // true if a valid reference was planned since the start
+  PlannedReference planned;
   int lost_leg = -1;
   UsableFriction friction;
   DelayPredictor predictor;
@@ -55,7 +50,6 @@ struct Controller::Impl {
 
  private:
   Status estimate_and_solve(const LowState& low_state, double dt) noexcept;
-  Status plan(const Dynamics& dynamics, double dt) noexcept;
   Status predict_and_solve(Status plan_status, double dt) noexcept;
   Status solve(const Dynamics& dynamics, const RobotState& used_state, Status plan_status) noexcept;
   void compute_fallback(const Dynamics& dynamics, const RobotState& used_state) noexcept;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "surefoot/state_estimator.hpp"
 #include "tick/first_samples.hpp"
 #include "tick/motion_check.hpp"
 #include "tick/torque_gain.hpp"
-#include "surefoot/state_estimator.hpp"
 
 namespace surefoot {
 
