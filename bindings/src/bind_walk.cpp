@@ -60,7 +60,7 @@ void bind_options(nb::module_& m) {
               "A program that ends does not leave the robot walking.");
 }
 
-void bind_controller(nb::module_& m) {
+void bind_walk_controller(nb::module_& m) {
   nb::class_<WalkController, Controller>(
       m, "WalkController",
       "Controller that walks: LowState and a velocity in, LowCmd out.\n\n"
@@ -108,5 +108,5 @@ void bind_controller(nb::module_& m) {
 void bind_walk(nb::module_& m) {
   bind_velocity(m);
   bind_options(m);
-  bind_controller(m);
+  bind_walk_controller(m);
 }
