@@ -14,8 +14,7 @@ namespace surefoot::plant {
 ///     d(value)/dt = -2 z w value - w^2 integral + coupling d(forces)/dt,   d(integral)/dt = value
 ///
 /// with natural frequency w and damping ratio z. While the forces are constant, value and integral
-/// decay to zero: the vibration causes no net rotation and no net velocity. The step is exact for
-/// forces that change at the beginning of a step.
+/// decay to zero: the vibration causes no net rotation and no net velocity.
 class Vibration {
  public:
   using Array6 = Eigen::Array<double, 6, 1>;
@@ -47,10 +46,12 @@ class Vibration {
 
   /// Advance by one physics step; forces are the normal forces [N] at its end.
   void step(const Array4& forces) {
-    const Array6 before = integral_;
-    integral_ = keep_integral_ * before + value_to_integral_ * value_;
-    value_ = integral_to_value_ * before + keep_value_ * value_;
-    value_ += (coupling_ * (forces - forces_).matrix()).array();
+    // Half of the change acts at the beginning of the step and half at its end. So the sum of the
+    // sampled values, too, returns to zero.
+    const Array6 half_change = 0.5 * (coupling_ * (forces - forces_).matrix()).array();
+    const Array6 integral = integral_, value = value_ + half_change;
+    integral_ = keep_integral_ * integral + value_to_integral_ * value;
+    value_ = integral_to_value_ * integral + keep_value_ * value + half_change;
     forces_ = forces;
   }
 

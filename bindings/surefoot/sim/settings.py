@@ -19,9 +19,9 @@ _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
 # [m] Range of soft_ground_sink. The minimum exceeds the 20 um by which feet sink into rigid ground.
 # The maximum is below half of the length of a calf.
 MIN_SINK, MAX_SINK = 1e-4, 0.1
-# [m] Depth by which a soft sole yields under a quarter of the robot's own weight. Assumed: a quarter
-# of a Go1's foot radius, because the vendor publishes no stiffness. If larger: a foot that touches
-# down moves for longer after its force has risen.
+# [m] Depth by which a soft sole yields under a quarter of the robot's own weight. Assumed, because
+# the vendor publishes no stiffness: a quarter of the foot radius of a Go1. If larger: a foot that
+# touches down moves for longer after its force has risen.
 SOLE_SINK = 0.005
 
 

@@ -18,7 +18,7 @@ from surefoot.sim.settings import PlantSettings
 # gyroscope and accelerometer swing with periods of 2 to 6 samples after a touchdown. If lower, the
 # second differences that estimate white noise contain less of the vibration.
 VIBRATION_FREQUENCY = (80.0, 150.0)
-# Damping ratio. Chosen: an amplitude halves in 8 to 14 ms. In the Go1 log, most of a vibration is
+# Damping ratio. Chosen: an amplitude halves in 8 to 15 ms. In the Go1 log, most of a vibration is
 # over 30 ms after the touchdown.
 VIBRATION_DAMPING = 0.09
 # [rad/s] Mean change of a gyroscope axis if the normal force of one foot jumps by a quarter of the
