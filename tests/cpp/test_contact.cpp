@@ -362,7 +362,7 @@ BOOST_AUTO_TEST_CASE(single_moving_loaded_foot_slips_until_it_stops) {
   FeetMatrix v = FeetMatrix::Zero();
   Eigen::Vector4d loaded = Eigen::Vector4d::Ones();
   const auto run = [&](double seconds) {
-    for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, v, loaded, kPeriod);
+    for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, v, loaded, false, kPeriod);
   };
   v.row(0).setConstant(1.0);  // the same for all feet: an error of the base velocity
   run(0.5);

@@ -47,7 +47,7 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
-  imu_input = imu_filter_input.update(gains, imu, filter, dynamics, state.contact, dt);
+  imu_input = imu_filter_input.update(gains, imu, filter, dynamics, state.contact, stepping, dt);
   if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
   filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt));
   w_base = imu_input.w_base - filter.gyroscope_bias();
@@ -91,7 +91,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
   foot_motion.update_velocity(dynamics, dt);
-  slip.update(gains, v_contact, state.contact, dt);
+  slip.update(gains, v_contact, state.contact, stepping, dt);
   clearance.update(dynamics, filter, slip.velocity(), state.contact, contact.loaded_by_forces(),
                    normal, dt);
   ContactSignals signals;
@@ -176,6 +176,7 @@ void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
+  if (stepping) return push.reset();
   // `a` is the planned classical acceleration of the base origin, base axes. It includes the effect
   // of planned_push, the push that was estimated when the plan was made. The feet do not cause this
   // part: a_feet = a - planned_push / m. So a_measured - a_feet = unplanned + planned_push / m.

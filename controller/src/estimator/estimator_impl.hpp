@@ -68,6 +68,7 @@ struct StateEstimator::Impl {
   Vector12 planned_tau = Vector12::Zero();         // [N.m] SDK motor order
   Vector3 planned_push = Vector3::Zero();  // [N] world axes; the push that the plan includes
   bool has_plan = false;
+  bool stepping = false;  // the planner lets feet step
   RobotState state;
   Vector12 tau_est = Vector12::Zero();  // [N.m]; tau_est, q and dq are in SDK motor order
   Vector12 q = Vector12::Zero(), dq = Vector12::Zero();

@@ -53,6 +53,8 @@ void StateEstimator::set_planned_motion(const Vector6& a_base, const Vector12& t
   impl_->has_plan = true;
 }
 
+void StateEstimator::set_stepping(bool stepping) noexcept { impl_->stepping = stepping; }
+
 void StateEstimator::reset() noexcept { impl_->reset(); }
 
 Status StateEstimator::update(const LowState& low_state, double dt) noexcept {

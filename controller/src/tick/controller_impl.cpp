@@ -130,6 +130,7 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
                          predictor.horizon(clock.period()), robot.mass(), lost_leg));
   if (!planned.has_reference()) return plan_status;
   estimator.set_ground_normal(planned.reference().ground_normal);
+  estimator.set_stepping(planned.reference().stepping);
   torque_command.set_lost_leg(lost_leg);
   if (options.delay > 0.0 || planned.reference().stepping) {
     return predict_and_solve(plan_status, dt);

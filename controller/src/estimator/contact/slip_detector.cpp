@@ -27,12 +27,14 @@ constexpr double kLoadedConfidence = 0.5;
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
-                          const Eigen::Vector4d& contact, double dt) noexcept {
+                          const Eigen::Vector4d& contact, bool stepping,
+                          double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const bool loaded = contact[leg] > kLoadedConfidence;
     // The low-pass restarts at touchdown, because the velocity of the swing must not count as slip.
     if (loaded && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v_contact.col(leg);
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
+    if (stepping && !loaded) slip_[leg] = 0.0;
     stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;
   }
   double min_loaded_speed = std::numeric_limits<double>::infinity();

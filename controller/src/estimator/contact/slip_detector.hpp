@@ -15,8 +15,9 @@ class SlipDetector {
   /// Process one tick.
   /// @param v_contact velocities of the contact points, world axes [m/s]
   /// @param contact contact confidence per foot, 0 .. 1
+  /// @param stepping whether feet step: the slip of a stance is then forgotten with it
   void update(const Gains& gains, const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
-              double dt) noexcept;
+              bool stepping, double dt) noexcept;
 
   /// Slip confidence of each foot, 0 .. 1.
   const Eigen::Vector4d& slip() const noexcept { return slip_; }

@@ -27,8 +27,10 @@ class ImuFilterInput {
   /// Compute the filter input of this tick.
   /// @param dynamics dynamics of the last tick
   /// @param contact contact confidences of the last tick, 0 .. 1
+  /// @param stepping whether impacts of feet vibrate in the IMU; its noise is then not measured
   ImuInput update(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
-                  const Dynamics& dynamics, const Eigen::Vector4d& contact, double dt) noexcept;
+                  const Dynamics& dynamics, const Eigen::Vector4d& contact, bool stepping,
+                  double dt) noexcept;
 
   /// Return whether the last update() rejected the gyroscope.
   bool gyroscope_rejected() const noexcept { return gyroscope_rejected_; }
