@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A planner of your own over UDP: the body moves on a circle over its standing feet.
-//   surefoot export go1 go1.robot; surefoot robot --robot go1 &
-//   custom_planner go1.robot [--port N] [--duration S]
+// A planner of your own: the body moves on a circle. Start surefoot robot --robot go1 first, then
+//   surefoot export go1 go1.robot; custom_planner go1.robot [--port N] [--duration S]
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -48,9 +48,12 @@ int main(int argc, char** argv) {
   UdpLink link(options);
   LowCmd command = damping_low_cmd(3.0);  // the robot only replies to senders of frames
   for (int n = 0; n < duration / 0.002; ++n) {
-    if (link.receive()) command = controller.update(link.state());
-    if (link.state_age() > 0.01) command = damping_low_cmd(3.0);
-    if (link.has_state() && safety.power_protect(command, link.state(), 1) < 0) break;
+    if (link.receive()) {
+      command = controller.update(link.state());
+      if (safety.power_protect(command, link.state(), 1) < 0) break;
+    } else if (link.state_age() > 0.01) {
+      command = damping_low_cmd(3.0);
+    }
     link.send(command);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

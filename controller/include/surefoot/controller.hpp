@@ -67,10 +67,9 @@ struct StandOptions {
 /// feet. Not thread-safe.
 class Controller {
  public:
-  /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if
-  /// `planner` is null, if the robot does not have twelve joints on a free base, or if a gain or an
-  /// option is invalid.
-  /// @param planner planner of this controller alone; reset() resets it too
+  /// Create a controller with RobotConfig::gains and default options. `planner` is the planner of
+  /// this controller alone; reset() resets it too. Throws surefoot::Error if `planner` is null, if
+  /// the robot does not have twelve joints on a free base, or if a gain or an option is invalid.
   Controller(const Robot& robot, std::shared_ptr<Planner> planner);
   /// The same with other gains than RobotConfig::gains.
   Controller(const Robot& robot, std::shared_ptr<Planner> planner, const Gains& gains,
