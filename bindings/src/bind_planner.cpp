@@ -20,6 +20,7 @@ struct PlannerInputCopy {
       : state(input.state),
         gains(input.gains),
         dt(input.dt),
+        delay(input.delay),
         mass(input.mass),
         p_com(input.p_com),
         v_com(input.v_com),
@@ -30,7 +31,7 @@ struct PlannerInputCopy {
         lost_leg(input.lost_leg) {}
   RobotState state;
   Gains gains;
-  double dt, mass;
+  double dt, delay, mass;
   Vector3 p_com, v_com;
   Matrix3 R_world_base;
   Vector3 w_world_base;
@@ -86,6 +87,10 @@ void bind_planner_input(nb::module_& m) {
       .def_ro("state", &PlannerInputCopy::state, "Estimated state, a RobotState.")
       .def_ro("gains", &PlannerInputCopy::gains, "Gains of this tick.")
       .def_ro("dt", &PlannerInputCopy::dt, "Time since the last good tick [s].")
+      .def_ro("delay", &PlannerInputCopy::delay,
+              "Time from `state` until the command of this tick acts [s].\n\n"
+              "The QP of a stepping robot uses the state predicted for that time, so its\n"
+              "reference is planned for it too. See StandOptions.delay.")
       .def_ro("mass", &PlannerInputCopy::mass, "Mass of the robot [kg].")
       .def_prop_ro("p_com", &read_only<&PlannerInputCopy::p_com>, nb::rv_policy::reference_internal,
                    "Centre of mass [m], shape (3,).")

@@ -128,6 +128,10 @@ void bind_reference(nb::module_& m) {
               "True for a stance foot; False for a swing foot, planned without force.")
       .def_rw("load", &FootReference::load,
               "Planned load, 0 .. 1. Ramp it up to make contact and down to break contact.")
+      .def_rw("min_contact", &FootReference::min_contact,
+              "Smallest contact confidence that the force limits assume, 0 .. 1.\n\n"
+              "A planner that knows when the foot lands sets it. 0: the limits follow\n"
+              "RobotState.contact.")
       .def_rw("p_world", &FootReference::p_world,
               "Desired position of the contact point [m], shape (3,).")
       .def_rw("v_world", &FootReference::v_world,
@@ -163,6 +167,10 @@ void bind_reference(nb::module_& m) {
           },
           "Orientation of the base, quaternion x y z w as in ``RobotState.q[3:7]``; a copy.\n\n"
           "Assignment raises Error unless the quaternion has unit length.")
+      .def_rw("stepping", &Reference::stepping,
+              "True: feet are about to step, so the capture point may leave the support polygon.\n\n"
+              "The QP then has no priorities at support edges, and the tick predicts the state\n"
+              "over the delay.")
       .def_rw("w_world_base", &Reference::w_world_base,
               "Angular velocity of the base [rad/s], world axes, shape (3,).")
       .def_rw("alpha_world_base", &Reference::alpha_world_base,

@@ -70,9 +70,9 @@ struct TurningBase {
     imu.has_quaternion = true;
     imu.f_base = Vector3(0.0, 0.0, kGravity);
   }
-  ImuInput step(ImuFilterInput& preprocessor, double feet = 1.0) {
+  ImuInput step(ImuFilterInput& preprocessor, double feet = 1.0, bool stepping = false) {
     return preprocessor.update(gains, imu, filter, dynamics, Eigen::Vector4d::Constant(feet),
-                               kPeriod);
+                               stepping, kPeriod);
   }
 };
 

@@ -18,7 +18,8 @@ bool finite(const Reference& r) noexcept {
                     r.Ldot_com.allFinite() && r.posture.allFinite() && r.ground_normal.allFinite();
   for (const FootReference& foot : r.feet) {
     all_finite = all_finite && foot.p_world.allFinite() && foot.v_world.allFinite() &&
-                 foot.a_world.allFinite() && foot.f_world.allFinite() && std::isfinite(foot.load);
+                 foot.a_world.allFinite() && foot.f_world.allFinite() && std::isfinite(foot.load) &&
+                 std::isfinite(foot.min_contact);
   }
   return all_finite;
 }
