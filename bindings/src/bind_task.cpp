@@ -3,9 +3,6 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/trampoline.h>
 
-#include <exception>
-#include <utility>
-
 #include "bindings.hpp"
 #include "pending_error.hpp"
 #include "surefoot/error.hpp"
@@ -16,8 +13,6 @@ using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
-
-thread_local std::exception_ptr pending_error;
 
 struct PythonTask : Task {
   NB_TRAMPOLINE(Task);
@@ -36,23 +31,15 @@ struct PythonTask : Task {
       constexpr std::uint64_t hash = nb::detail::str_hash("write");
       const nb::detail::ticket ticket(nb_trampoline, "write", hash, true);
       // Pass pointers, so that Python writes into these rows and not into a copy.
-      const nb::object result = nb_trampoline.base().attr(ticket.key)(&state, &out);
-      if (result.is_none()) return true;
-      const int truth = PyObject_IsTrue(result.ptr());
-      if (truth < 0) throw nb::python_error();
-      return truth == 1;
+      return lets_continue(nb_trampoline.base().attr(ticket.key)(&state, &out));
     } catch (...) {
-      if (!pending_error) pending_error = std::current_exception();
+      store_pending_error();
     }
     return false;
   }
 };
 
 }  // namespace
-
-void raise_pending_error() {
-  if (pending_error) std::rethrow_exception(std::exchange(pending_error, nullptr));
-}
 
 void bind_task(nb::module_& m) {
   nb::class_<TaskRows>(

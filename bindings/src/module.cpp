@@ -5,8 +5,8 @@
 namespace nb = nanobind;
 
 NB_MODULE(_core, m) {
-  // A Python task and its controller refer to each other, so both may still exist when the
-  // interpreter exits. nanobind would report this as a leak.
+  // A Python task or planner and its controller may refer to each other, so both may still exist
+  // when the interpreter exits. nanobind would report this as a leak.
   nb::set_leak_warnings(false);
   m.doc() =
       "C++ core of Surefoot; import surefoot instead.\n\n"
@@ -23,8 +23,10 @@ NB_MODULE(_core, m) {
   bind_robot(m);
   bind_types(m);
   bind_task(m);
+  bind_planner(m);
   bind_whole_body(m);
   bind_estimator(m);
+  bind_controller(m);
   bind_stand(m);
   bind_link(m);
   bind_safety(m);

@@ -10,8 +10,23 @@ ROOT = Path(__file__).parents[2]
 HEADERS = ROOT / "controller" / "include" / "surefoot"
 XML = ROOT / "out" / "doxygen" / "xml"
 GROUPS = {
-    "Controllers": ("stand_controller", "whole_body_controller", "supervisor", "stand_runner"),
-    "Data": ("low_level", "types", "body_reference", "gains", "task", "qp_problem", "math"),
+    "Controllers": (
+        "controller",
+        "stand_controller",
+        "whole_body_controller",
+        "supervisor",
+        "stand_runner",
+    ),
+    "Data": (
+        "low_level",
+        "types",
+        "body_reference",
+        "gains",
+        "task",
+        "planner",
+        "qp_problem",
+        "math",
+    ),
     "Robots": ("robot", "robot_config"),
     "Estimation": ("state_estimator", "estimator_report"),
     "Safety and faults": ("safety", "arming", "fault", "fallback_level", "supervisor_enums"),

@@ -9,7 +9,7 @@ from pathlib import Path
 
 CORE_GROUPS = {
     "Controllers": (
-        "StandController StandOptions WholeBodyController WholeBodyOptions Supervisor "
+        "Controller StandController StandOptions WholeBodyController WholeBodyOptions Supervisor "
         "SupervisorOptions StandRunner RunOptions RunSnapshot RunLog"
     ),
     "Robots": "load_robot available_robots Robot RobotConfig motor_torque_limit motion_range",
@@ -20,7 +20,7 @@ CORE_GROUPS = {
     ),
     "State, reference, solution": (
         "RobotState Reference FootReference BodyReference BodyPoint Solution QpProblem QpForm Task "
-        "TaskRows"
+        "TaskRows Planner PlannerInput"
     ),
     "Estimation": "StateEstimator EstimatorReport ContactSource SensorVerdict identify_delay",
     "Statuses": (

@@ -121,6 +121,15 @@ def test_the_stand_example_stands(language: str, tmp_path: Path) -> None:
     assert np.ptp(standing) < 0.01
 
 
+def test_the_custom_planner_example_moves_the_body_on_a_circle(tmp_path: Path) -> None:
+    status, said, log, _record = run_example("custom_planner", "cpp", tmp_path, 8.0)
+    assert status == 0, said
+    late = (log["time"] > 4.5) & (log["time"] < 7.8)
+    assert np.ptp(log["height"][late]) < 0.02
+    hips = log["q"][late][:, [0, 3, 6, 9]]
+    assert (np.ptp(hips, axis=0) > 0.05).all()  # 4 cm to the side
+
+
 @languages
 @pytest.mark.parametrize("name", ["example_torque", "example_stand"])
 @pytest.mark.parametrize("ending", ["silent robot", "Ctrl-C"])

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "lambda_planner.hpp"
 #include "random_disturbances.hpp"
 #include "random_qp.hpp"
 #include "robot_states.hpp"
@@ -53,6 +54,19 @@ struct UserTask : Task {
     return calls % 977 != 0;
   }
   long calls = 0;
+};
+
+/// A user's planner: it keeps the pose of its first tick and writes a posture. Every 331st plan
+/// fails, and every 577th has a NaN.
+struct UserPlanner : LambdaPlanner {
+  UserPlanner() {
+    change = [this](const PlannerInput&, Reference& reference) {
+      reference.posture[0] += 1e-6;
+      if (++plans % 577 == 0) reference.feet[FL_].p_world.x() = std::nan("");
+      return plans % 331 != 0;
+    };
+  }
+  long plans = 0;
 };
 
 struct TickCounts {
@@ -104,6 +118,31 @@ TickCounts run(const Robot& robot, QpForm form, double delay, std::uint32_t tick
   tick_counts.cold = static_cast<long>(controller.fallback_count(FallbackLevel::kColdSolve));
   tick_counts.forces = static_cast<long>(controller.fallback_count(FallbackLevel::kForces));
   tick_counts.held = static_cast<long>(controller.fallback_count(FallbackLevel::kHold));
+  return tick_counts;
+}
+
+struct PlannedCounts {
+  long solved = 0, bad_references = 0, damping = 0;
+  long allocations = 0, exceptions = 0;
+};
+
+// Run a Controller with a user's planner; one leg is lost in part of the ticks.
+PlannedCounts run_planner(const Robot& robot) {
+  Controller controller(robot, std::make_shared<UserPlanner>());
+  RandomDisturbances disturbances(robot);
+  PlannedCounts tick_counts;
+  const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
+  for (std::uint32_t tick = 1; tick <= 25000; ++tick) {
+    controller.update(disturbances.report(tick));
+    tick_counts.solved += is_usable(controller.status());
+    tick_counts.bad_references += controller.status() == Status::kBadReference;
+    if (tick % 2500 == 0) controller.declare_leg_lost(RR_);
+    if (controller.status() != Status::kDamping) continue;
+    ++tick_counts.damping;
+    controller.reset();
+  }
+  tick_counts.allocations = bench::heap_allocations() - allocations_before;
+  tick_counts.exceptions = exceptions - exceptions_before;
   return tick_counts;
 }
 
@@ -230,6 +269,14 @@ int main() {
              s.exceptions == 0;
     }
   }
+  const PlannedCounts planned = run_planner(robot);
+  std::printf(
+      "user's planner, 25000 ticks: %ld allocations, %ld exceptions; solved %ld, bad references "
+      "%ld, damping %ld\n",
+      planned.allocations, planned.exceptions, planned.solved, planned.bad_references,
+      planned.damping);
+  good = good && planned.solved > 1000 && planned.bad_references > 10 && planned.damping > 4 &&
+         planned.allocations == 0 && planned.exceptions == 0;
   const SupervisedCounts s = run_supervisor(robot);
   std::printf(
       "supervised, 25000 ticks: %ld allocations, %ld exceptions; passive %ld, rise %ld, "

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "robot_states.hpp"
-#include "stand/delay_predictor.hpp"
+#include "tick/delay_predictor.hpp"
 
 using namespace surefoot;
 

@@ -121,7 +121,7 @@ BOOST_FIXTURE_TEST_CASE(condensed_form_and_stand_controller_refuse_an_arm, Robot
   BOOST_TEST(condensed.find("nv = 19") != std::string::npos);
   const std::string stand = error_of([&] { StandController{robot}; });
   BOOST_TEST(stand.find("testdog") != std::string::npos);
-  BOOST_TEST(stand.find("StandController") != std::string::npos);
+  BOOST_TEST(stand.find("for a Controller") != std::string::npos);
   BOOST_TEST(stand.find("nv = 19") != std::string::npos);
 }
 

@@ -7,9 +7,9 @@
 #include "pushed_robot.hpp"
 #include "safety/fallback_chain.hpp"
 #include "safety/holding_torques.hpp"
-#include "stand/stand_controller_access.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/whole_body_controller.hpp"
+#include "tick/controller_access.hpp"
 
 using namespace surefoot;
 
@@ -46,7 +46,7 @@ struct Standing {
   explicit Standing(double power_limit = StandOptions().power_limit)
       : options{0.0, 0.0, QpForm::kAuto, power_limit},
         controller(robot, robot.config().gains, options) {
-    StandControllerAccess::end_sensor_check(controller);
+    ControllerAccess::end_sensor_check(controller);
     controller.add_task(task(1, [this](const RobotState&, TaskRows& rows) {
       return write_faulty_rows(task_fault, rows);
     }));

@@ -8,9 +8,9 @@
 #include "robot_states.hpp"
 #include "safety/holding_torques.hpp"
 #include "safety/power_limiter.hpp"
-#include "stand/stand_controller_access.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "tick/controller_access.hpp"
 
 using namespace surefoot;
 
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(controller_command_keeps_the_power_limit_or_is_saturated) {
   StandOptions options;
   options.power_limit = kLimit;
   StandController free(robot), limited(robot, Gains(), options);
-  for (StandController* c : {&free, &limited}) StandControllerAccess::end_sensor_check(*c);
+  for (StandController* c : {&free, &limited}) ControllerAccess::end_sensor_check(*c);
   RandomDisturbances disturbances(robot);
   int scaled = 0, above = 0;
   for (std::uint32_t tick = 1; tick < 960; ++tick) {

@@ -26,7 +26,7 @@ struct RecoveryStepsFixture : CapturePointRobot {
     const double front = std::min(feet(0, FR_), feet(0, FL_)) - dynamics.p_world_com().x();
     set_com_velocity(Vector3(omega() * (front - margin), 0.0, 0.0));
   }
-  // Run one tick, as StandReference does.
+  // Run one tick, as StandPlanner does.
   void tick(const Eigen::Vector4d& contact) {
     FeetMatrix seen = feet;
     Eigen::Vector4d standing = contact;

@@ -5,8 +5,8 @@
 
 #include "robot_states.hpp"
 #include "safety/runaway_legs.hpp"
-#include "stand/stand_controller_access.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "tick/controller_access.hpp"
 
 using namespace surefoot;
 
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(encoder_noise_detects_no_runaway_leg) {
 struct RunawayScene {
   explicit RunawayScene(double watts)
       : free(robot), limited(robot, robot.config().gains, options_with_limit(watts)) {
-    for (StandController* c : {&free, &limited}) StandControllerAccess::end_sensor_check(*c);
+    for (StandController* c : {&free, &limited}) ControllerAccess::end_sensor_check(*c);
     for (int k = 0; k < 20; ++k) step(0.0);
     along = command.motorCmd[FR_2].tau > 0.0F ? 1.0F : -1.0F;
   }

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "robot_states.hpp"
-#include "stand/stand_controller_access.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "tick/controller_access.hpp"
 
 using namespace surefoot;
 
@@ -120,7 +120,7 @@ BOOST_FIXTURE_TEST_CASE(pending_gains_apply_at_once_when_damping_starts, Running
 BOOST_FIXTURE_TEST_CASE(duplicate_samples_do_not_advance_time, RunningController) {
   const auto turned = [&](int copies) {
     StandController turning(robot);
-    StandControllerAccess::end_sensor_check(turning);  // the legs do not turn with the gyroscope
+    ControllerAccess::end_sensor_check(turning);  // the legs do not turn with the gyroscope
     for (std::uint32_t k = 0; k <= 50; ++k) {
       LowState now = resting_sample(robot, 2 * k);
       now.imu.gyroscope = {0.0F, 0.0F, 1.0F};

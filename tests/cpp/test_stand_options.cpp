@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "robot_states.hpp"
-#include "stand/stand_controller_access.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "tick/controller_access.hpp"
 
 using namespace surefoot;
 
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(both_forms_send_the_same_torques_to_a_moving_robot) {
   StandOptions general;
   general.form = QpForm::kGeneral;
   StandController a(robot), b(robot, Gains(), general);
-  for (StandController* c : {&a, &b}) StandControllerAccess::end_sensor_check(*c);
+  for (StandController* c : {&a, &b}) ControllerAccess::end_sensor_check(*c);
   for (std::uint32_t tick = 2; tick < 2000; tick += 2) {
     const LowState report = disturbed_sample(robot, tick);
     const LowCmd& one = a.update(report);
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(delay_option_enables_prediction_and_is_range_checked) {
   delayed_options.delay = 0.01;
   StandController direct_controller(robot), delayed_controller(robot, Gains(), delayed_options);
   for (StandController* c : {&direct_controller, &delayed_controller}) {
-    StandControllerAccess::end_sensor_check(*c);
+    ControllerAccess::end_sensor_check(*c);
   }
   double max_difference = 0.0;
   for (std::uint32_t tick = 2; tick < 400; tick += 2) {

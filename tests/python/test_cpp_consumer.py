@@ -94,7 +94,22 @@ def test_custom_task_example_runs_in_python(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize("example", ["custom_task.cpp", "custom_task.py"])
-def test_custom_task_example_has_less_than_40_lines(example: str) -> None:
+def test_custom_planner_example_moves_the_body_on_a_circle_of_4_cm(tmp_path: Path) -> None:
+    said = _run([sys.executable, ROOT / "examples" / "custom_planner.py"], tmp_path)
+    assert said.startswith("OK, fell: False, circle of ")
+    widths = [float(number) for number in re.findall(r"([0-9.]+) cm", said)]
+    assert widths == pytest.approx([4.0, 4.0], abs=0.6)
+
+
+@pytest.mark.parametrize(
+    ("example", "limit"),
+    [
+        ("custom_task.cpp", 40),
+        ("custom_task.py", 40),
+        ("custom_planner.cpp", 60),
+        ("custom_planner.py", 60),
+    ],
+)
+def test_example_is_short(example: str, limit: int) -> None:
     lines = [line.strip() for line in _example(example).splitlines()]
-    assert len([line for line in lines if line and not line.startswith(("//", "#", '"""'))]) < 40
+    assert len([line for line in lines if line and not line.startswith(("//", "#", '"""'))]) < limit

@@ -4,10 +4,12 @@
 /// Includes the whole public interface: #include <surefoot/surefoot.hpp>
 #include "surefoot/arming.hpp"
 #include "surefoot/body_reference.hpp"
+#include "surefoot/controller.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/fault.hpp"
 #include "surefoot/frames.hpp"
 #include "surefoot/low_level.hpp"
+#include "surefoot/planner.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stage_clock.hpp"

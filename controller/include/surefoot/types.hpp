@@ -16,7 +16,7 @@ enum class Status : int {
   kImplausible,  ///< a field that is read is beyond what the robot can do or measure
   kFallen,       ///< the base is tilted beyond the gain fall_tilt
   /// The quaternion or the ground normal of the reference is not of unit length, or the normal does
-  /// not point up.
+  /// not point up. Controller: also, the planner failed, or wrote a number that is not finite.
   kBadReference,
   kWrongSize,      ///< q, v or the posture does not have the robot's size
   kBadQuaternion,  ///< the quaternion of the IMU or of q is zero or far from unit length

@@ -24,12 +24,12 @@ constexpr double kShiftTime = 0.2;
 
 // In four-legged stance the centre of mass is near the diagonal between the lateral and the
 // longitudinal neighbour of the lost leg. Compute the shift from there into the support triangle.
-void ThreeLegStance::update(const FeetMatrix& nominal_feet, const Vector3& p_com,
+void ThreeLegStance::update(int lost_leg, const FeetMatrix& nominal_feet, const Vector3& p_com,
                             double dt) noexcept {
-  if (lost_leg_ == kNone) return;
-  const Eigen::Vector2d a = nominal_feet.col(lateral_neighbor(lost_leg_)).head<2>();
-  const Eigen::Vector2d b = nominal_feet.col(longitudinal_neighbor(lost_leg_)).head<2>();
-  const Eigen::Vector2d c = nominal_feet.col(diagonal_leg(lost_leg_)).head<2>();
+  if (lost_leg < 0) return;
+  const Eigen::Vector2d a = nominal_feet.col(lateral_neighbor(lost_leg)).head<2>();
+  const Eigen::Vector2d b = nominal_feet.col(longitudinal_neighbor(lost_leg)).head<2>();
+  const Eigen::Vector2d c = nominal_feet.col(diagonal_leg(lost_leg)).head<2>();
   const Eigen::Vector2d edge = b - a;
   const double length = std::max(edge.norm(), 1e-6);
   Eigen::Vector2d inward(-edge.y() / length, edge.x() / length);

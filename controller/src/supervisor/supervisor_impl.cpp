@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "safety/torque_command.hpp"
-#include "stand/stand_controller_access.hpp"
 #include "surefoot/wireless_remote.hpp"
+#include "tick/controller_access.hpp"
 
 namespace surefoot {
 
@@ -57,7 +57,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       damping_kd(gains.damping_kd) {
   // Arming checks and fault detectors judge the sensors of a supervised robot. A sensor that fails
   // while the robot stands has a reaction of its own there; the sensor check would always damp.
-  StandControllerAccess::end_sensor_check(stand);
+  ControllerAccess::end_sensor_check(stand);
   context.checks_waived = o.start == Start::kStanding;
   publish();
 }

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reference/stand_reference.hpp"
 #include "reference/usable_friction.hpp"
 #include "safety/command_hold.hpp"
 #include "safety/fallback_chain.hpp"
 #include "safety/tick_clock.hpp"
 #include "safety/torque_command.hpp"
-#include "stand/delay_predictor.hpp"
-#include "stand/gain_change_ramp.hpp"
-#include "stand/sensor_check.hpp"
-#include "surefoot/stand_controller.hpp"
+#include "surefoot/controller.hpp"
 #include "surefoot/state_estimator.hpp"
 #include "surefoot/whole_body_controller.hpp"
+#include "tick/delay_predictor.hpp"
+#include "tick/gain_change_ramp.hpp"
+#include "tick/planned_reference.hpp"
+#include "tick/sensor_check.hpp"
 
 namespace surefoot {
 
-/// Components of the StandController, and its tick: estimate the state from a LowState, update the
+/// Components of the Controller, and its tick: estimate the state from a LowState, plan the
 /// reference, solve the QP, limit the torques, and choose the LowCmd to send.
-struct StandController::Impl {
-  Impl(const Robot& r, const Gains& g, const StandOptions& o);
+struct Controller::Impl {
+  Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& g, const StandOptions& o);
 
   const LowCmd& tick(const LowState& low_state) noexcept;
   void apply_gains(const Gains& gains) noexcept;
@@ -29,7 +29,8 @@ struct StandController::Impl {
   TickClock clock;
   StateEstimator estimator;
   SensorCheck sensor_check;
-  StandReference reference;
+  PlannedReference planned;
+  int lost_leg = -1;
   UsableFriction friction;
   DelayPredictor predictor;
   Dynamics predicted_dynamics;  // at the predicted state; used only if StandOptions::delay > 0
@@ -41,7 +42,7 @@ struct StandController::Impl {
   CommandHold command_hold;
   GainChangeRamp gain_ramp;
   double time_since_estimate = 0.0;  // [s] time since the last good estimate
-  int pose_latches = 0;              // number of ticks that have latched the pose
+  bool started = false;              // true if a tick since the start had a good estimate
   Status status = Status::kWaiting;
   Status fault = Status::kOk;
   FallbackLevel fallback_level = FallbackLevel::kDamping;
@@ -49,11 +50,9 @@ struct StandController::Impl {
 
  private:
   Status estimate_and_solve(const LowState& low_state, double dt) noexcept;
-  Status solve_predicted(const Reference& desired, double dt) noexcept;
-  Status solve(const Dynamics& dynamics, const RobotState& used_state,
-               const Reference& desired) noexcept;
-  void compute_fallback(const Dynamics& dynamics, const RobotState& used_state,
-                        const Reference& desired) noexcept;
+  Status predict_and_solve(Status plan_status, double dt) noexcept;
+  Status solve(const Dynamics& dynamics, const RobotState& used_state, Status plan_status) noexcept;
+  void compute_fallback(const Dynamics& dynamics, const RobotState& used_state) noexcept;
   const LowCmd& select_command(Status tick, double elapsed) noexcept;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stand/delay_predictor.hpp"
+#include "tick/delay_predictor.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stand/sensor_check.hpp"
+#include "tick/sensor_check.hpp"
 
 namespace surefoot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stand/first_samples.hpp"
+#include "tick/first_samples.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,34 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stand/stand_controller_impl.hpp"
+#include "tick/controller_impl.hpp"
 
 #include "low_level/low_state_check.hpp"
+#include "reference/planner_input.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
 
 namespace {
 
-// Number of ticks that latch the pose. Chosen: the second and the third latch correct the contact
-// points. Two corrections suffice, because the contact points depend on the ground normal only
-// through the radius of the soles.
-constexpr int kPoseLatches = 3;
-
 const Robot& require_twelve_joints(const Robot& robot) {
   if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
   throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
               ", nv = " + std::to_string(robot.nv()) +
-              ", expected 19 and 18 for a StandController: a LowState has twelve joints; make "
+              ", expected 19 and 18 for a Controller: a LowState has twelve joints; make "
               "other joints fixed, or use a WholeBodyController with your own state");
 }
 
 }  // namespace
 
-StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& o)
+Controller::Impl::Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& g,
+                       const StandOptions& o)
     : robot(require_twelve_joints(r)),
       options((o.validate(), o)),
       estimator(r),
       sensor_check(r),
-      reference(r),
+      planned(r, std::move(p)),
       predictor(r.nv(), o.delay),
       predicted_dynamics(r),
       controller(r, g, WholeBodyOptions{o.form}),
@@ -38,11 +35,11 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
   state = estimator.state();  // gives `state` its size, so that ticks do not allocate
 }
 
-void StandController::Impl::apply_gains(const Gains& gains) noexcept {
+void Controller::Impl::apply_gains(const Gains& gains) noexcept {
   if (controller.adopt_gains(gains)) estimator.adopt_gains(gains);
 }
 
-const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
+const LowCmd& Controller::Impl::tick(const LowState& low_state) noexcept {
   const double step = clock.advance(low_state.tick);
   // After a gap of more than 100 ms the robot has already damped by itself, so the old plan is no
   // longer valid: latch damping.
@@ -74,7 +71,7 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
 
 // Choose the command to send: solved, computed without the QP, repeated, or damping. Record it in
 // the predictor if it is a new command.
-const LowCmd& StandController::Impl::select_command(Status tick, double elapsed) noexcept {
+const LowCmd& Controller::Impl::select_command(Status tick, double elapsed) noexcept {
   const double kd = controller.gains().damping_kd;
   if (is_usable(tick)) {
     command_hold.accept(torque_command.command(elapsed));
@@ -99,11 +96,11 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   return command_hold.last();
 }
 
-// Estimate the state, update the reference and solve the QP.
-Status StandController::Impl::estimate_and_solve(const LowState& low_state, double dt) noexcept {
-  // Only the first pose latch needs the quaternion of the IMU. A standing robot continues without
-  // a quaternion.
-  if (pose_latches == 0 && !has_unit_quaternion(low_state.imu)) return Status::kBadQuaternion;
+// Estimate the state, plan the reference and solve the QP.
+Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt) noexcept {
+  // Only the first estimate needs the quaternion of the IMU. A standing robot continues without a
+  // quaternion.
+  if (!started && !has_unit_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const SentCommand* acting_command = predictor.acting_command(clock.period());
   if (acting_command != nullptr) {
     estimator.set_planned_motion(acting_command->accelerations.head<6>(), acting_command->tau,
@@ -112,7 +109,7 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
   const Status estimator_status = estimator.update(low_state, dt);
   // The samples of a lost leg's motors may be wrong.
   const Status wrong_sensor =
-      reference.lost_leg() >= 0
+      lost_leg >= 0
           ? Status::kOk
           : sensor_check.update(low_state, estimator_status, estimator,
                                 acting_command == nullptr ? nullptr : &acting_command->tau, dt);
@@ -123,59 +120,63 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
   torque_command.observe_joints(state, dt);
   if (gain_ramp.moving()) apply_gains(gain_ramp.step(dt));
   const Dynamics& dynamics = estimator.dynamics();
-  const Eigen::Vector4d& contact = estimator.state().contact;
   if (dynamics.R_world_base()(2, 2) < std::cos(controller.gains().fall_tilt)) {
     return Status::kFallen;
   }
-  // The contact points depend on the ground normal, and the ground normal is computed from the
-  // contact points. The pose is latched several times, so that both converge.
-  if (pose_latches < kPoseLatches) {
-    reference.latch(dynamics, estimator.state().q);
-    ++pose_latches;
-  }
-  const Reference& desired = reference.update(controller.gains(), dynamics, contact, dt);
-  estimator.set_ground_normal(desired.ground_normal);
-  torque_command.set_lost_leg(reference.lost_leg());
-  if (predictor.active()) return solve_predicted(desired, dt);
-  state.friction = friction.update(dynamics, state, desired, robot.mass(), dt);
-  return solve(dynamics, state, desired);
+  started = true;
+  const Status plan_status = planned.plan(make_planner_input(estimator.state(), controller.gains(),
+                                                             dynamics, dt, robot.mass(), lost_leg));
+  if (!planned.has_reference()) return plan_status;
+  estimator.set_ground_normal(planned.reference().ground_normal);
+  torque_command.set_lost_leg(lost_leg);
+  if (predictor.active()) return predict_and_solve(plan_status, dt);
+  state.friction = friction.update(dynamics, state, planned.reference(), robot.mass(), dt);
+  return solve(dynamics, state, plan_status);
 }
 
-Status StandController::Impl::solve_predicted(const Reference& desired, double dt) noexcept {
+Status Controller::Impl::predict_and_solve(Status plan_status, double dt) noexcept {
   RobotState& predicted_state = predictor.predict(state);
-  predicted_dynamics.update(predicted_state.q, predicted_state.v, desired.ground_normal);
+  predicted_dynamics.update(predicted_state.q, predicted_state.v,
+                            planned.reference().ground_normal);
   predicted_state.friction = state.friction =
-      friction.update(predicted_dynamics, predicted_state, desired, robot.mass(), dt);
-  return solve(predicted_dynamics, predicted_state, desired);
+      friction.update(predicted_dynamics, predicted_state, planned.reference(), robot.mass(), dt);
+  return solve(predicted_dynamics, predicted_state, plan_status);
 }
 
 // Solve the QP, and again from a cold start if the first solve fails. Limit the power of the
-// torques.
-Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& used_state,
-                                    const Reference& desired) noexcept {
-  const Solution& solution = controller.solve(dynamics, used_state, desired);
+// torques. Without a reference for this tick, there is no QP to solve.
+Status Controller::Impl::solve(const Dynamics& dynamics, const RobotState& used_state,
+                               Status plan_status) noexcept {
+  if (plan_status != Status::kOk) {
+    compute_fallback(dynamics, used_state);
+    return plan_status;
+  }
+  const Solution& solution = controller.solve(dynamics, used_state, planned.reference());
   fallback_level = FallbackLevel::kSolved;
   if (!is_usable(solution.status)) {
     controller.solve_cold(dynamics);  // the reference `solution` now has the new result
     fallback_level = FallbackLevel::kColdSolve;
   }
   if (is_usable(solution.status)) {
-    fallback_chain.remember(controller.gains(), dynamics, used_state, desired, solution.forces);
-    return torque_command.set_torques(solution, dynamics, used_state, desired, controller.gains());
+    fallback_chain.remember(controller.gains(), dynamics, used_state, planned.reference(),
+                            solution.forces);
+    return torque_command.set_torques(solution, dynamics, used_state, planned.reference(),
+                                      controller.gains());
   }
-  compute_fallback(dynamics, used_state, desired);
+  compute_fallback(dynamics, used_state);
   return solution.status;
 }
 
 // Compute torques with the fallback chain, without the QP, and limit their power like that of a
 // solution.
-void StandController::Impl::compute_fallback(const Dynamics& dynamics, const RobotState& used_state,
-                                             const Reference& desired) noexcept {
+void Controller::Impl::compute_fallback(const Dynamics& dynamics,
+                                        const RobotState& used_state) noexcept {
   const Gains& gains = controller.gains();
-  fallback_level = fallback_chain.compute_fallback(gains, dynamics, used_state, desired);
+  fallback_level =
+      fallback_chain.compute_fallback(gains, dynamics, used_state, planned.reference());
   if (fallback_level == FallbackLevel::kHold) return;
   torque_command.set_torques(fallback_chain.torques(), fallback_chain.damping(), dynamics,
-                             used_state, desired, gains);
+                             used_state, planned.reference(), gains);
 }
 
 }  // namespace surefoot

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "stand/first_samples.hpp"
-#include "stand/motion_check.hpp"
-#include "stand/torque_gain.hpp"
 #include "surefoot/state_estimator.hpp"
+#include "tick/first_samples.hpp"
+#include "tick/motion_check.hpp"
+#include "tick/torque_gain.hpp"
 
 namespace surefoot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stand/motion_check.hpp"
+#include "tick/motion_check.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/text.hpp"
-#include "stand/delay_predictor.hpp"
+#include "surefoot/controller.hpp"
 #include "surefoot/error.hpp"
-#include "surefoot/stand_controller.hpp"
+#include "tick/delay_predictor.hpp"
 
 namespace surefoot {
 

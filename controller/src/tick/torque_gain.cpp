@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stand/torque_gain.hpp"
+#include "tick/torque_gain.hpp"
 
 namespace surefoot {
 

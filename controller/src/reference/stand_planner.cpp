@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference/stand_planner.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+
+// The constants are chosen. Tests: tests/closed_loop/test_external_lifts.py,
+// test_stand_planner.cpp.
+constexpr double kAirborneTime = 0.2;  // [s] time constant of airborne_share_
+// Airborne share above which recovery steps stop. The share reaches this value after 0.32 s in the
+// air. If smaller: a fall from 10 cm, which lasts 0.14 s, would stop recovery steps. If larger:
+// while a person lifts the robot, recovery steps would press feet down and stretch their legs for
+// longer.
+constexpr double kLiftedShare = 0.8;
+// Additional extension of airborne legs, as a share of the standing height. If smaller: the joints
+// have too little range left to brake a landing. If larger: the legs are nearly straight.
+constexpr double kAirborneExtension = 0.15;
+
+// Number of calls that latch the pose. Chosen: the second and the third latch correct the contact
+// points. Two corrections suffice, because the contact points depend on the ground normal only
+// through the radius of the soles.
+constexpr int kPoseLatches = 3;
+
+}  // namespace
+
+void StandPlanner::reset() noexcept {
+  motion_.reset();
+  three_leg_stance_.reset();
+  recovery_steps_.reset();
+  airborne_share_ = 0.0;
+  pose_latches_ = 0;
+}
+
+bool StandPlanner::plan(const PlannerInput& input, Reference& reference) noexcept {
+  // The contact points depend on the ground normal, and the ground normal is computed from the
+  // contact points. The pose is latched several times, so that both converge.
+  if (pose_latches_ < kPoseLatches) {
+    latch(input);
+    ++pose_latches_;
+  }
+  Eigen::Vector4d contact = input.state.contact;
+  if (input.lost_leg >= 0) contact[input.lost_leg] = 0.0;
+  update_feet(input, contact);
+  const Matrix3& R = support_.R_world_support();  // from support to world axes
+  motion_.update(input.gains, support_.nominal_feet(), -R.row(2).transpose(), input.dt);
+  three_leg_stance_.update(input.lost_leg, support_.nominal_feet(), motion_.p_com(), input.dt);
+  update_airborne_share(contact, input.dt);
+  Vector3 p_base = motion_.p_base();
+  // In the air, extend the legs, so that the joints have more range to brake a landing. For this,
+  // follow_body() gets a larger height of the base above the support frame. It then places the
+  // frame lower, and the desired feet, which are fixed in the frame, move down with it.
+  p_base.z() *= 1.0 + kAirborneExtension;
+  support_.follow_body(input.dynamics.p_world_base(), p_base, airborne_share_);
+  write(reference);
+  return true;
+}
+
+void StandPlanner::latch(const PlannerInput& input) noexcept {
+  foot_rolling_.reset();
+  recovery_steps_.reset();
+  support_.latch(input.p_feet);
+  const Matrix3 R = support_.R_world_support().transpose();  // from world to support axes
+  const LatchedPose pose{R * (input.dynamics.p_world_base() - support_.origin()),
+                         Quaternion(Matrix3(R * input.R_world_base))};
+  motion_.latch(pose, R * (input.p_com - support_.origin()), input.state.q);
+}
+
+// Update the rolling of the feet, the support frame and the recovery steps.
+void StandPlanner::update_feet(const PlannerInput& input, const Eigen::Vector4d& contact) noexcept {
+  foot_rolling_.update(input.dynamics, support_.normal(), contact, input.dt);
+  const FeetMatrix p = input.p_feet - foot_rolling_.displacement();
+  FeetMatrix support_feet = p;
+  Eigen::Vector4d support_contact = contact;
+  recovery_steps_.exclude_swing_feet(support_, support_feet, support_contact);
+  support_.update(support_feet, support_contact, input.dt);
+  if (input.lost_leg < 0 && airborne_share_ < kLiftedShare) {
+    recovery_steps_.update(input.gains, input.dynamics, p, contact, support_, input.dt);
+  } else {
+    recovery_steps_.stop(input.dt);
+  }
+}
+
+void StandPlanner::write(Reference& reference) const noexcept {
+  const Matrix3& R = support_.R_world_support();
+  reference.p_com = support_.origin() + R * (motion_.p_com() + three_leg_stance_.com_offset());
+  reference.v_com = R * motion_.v_com();
+  reference.p_base = support_.origin() + R * motion_.p_base();
+  reference.R_world_base = Quaternion(R) * motion_.R_base();
+  reference.w_world_base = R * motion_.w_base();
+  reference.alpha_world_base = R * motion_.alpha_base();
+  reference.ground_normal = support_.normal();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    reference.feet[leg].p_world = support_.origin() + R * support_.nominal_feet().col(leg) +
+                                  recovery_steps_.foot_offsets().col(leg) +
+                                  foot_rolling_.displacement().col(leg);
+    // Only a foot that lifts off must be unloaded. A swing foot keeps stance = true, so that the QP
+    // lets it carry load as soon as it lands. Until then its contact confidence limits its load.
+    reference.feet[leg].stance = !recovery_steps_.is_lifting_off(leg);
+  }
+}
+
+// Update the airborne share. The share is zero while the sum of the contact confidences is at least
+// 1. It falls at once on contact but rises slowly: a fast rise would move the desired feet away
+// from the real feet, and would accelerate the legs abruptly.
+void StandPlanner::update_airborne_share(const Eigen::Vector4d& contact, double dt) noexcept {
+  const double in_air = std::clamp(1.0 - contact.sum(), 0.0, 1.0);
+  const double filtered = airborne_share_ + dt / (dt + kAirborneTime) * (in_air - airborne_share_);
+  airborne_share_ = std::min(in_air, filtered);
+}
+
+}  // namespace surefoot
