@@ -26,9 +26,7 @@ import tempfile
 import time
 import traceback
 import warnings
-from collections import Counter
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -36,9 +34,8 @@ from typing import Any
 import numpy as np
 from log_file_mutations import write_mutant
 from log_mutations import HARMFUL, HARMLESS, Columns, MutantLog
-from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds, seeds_of
+from seed_runs import Job, MutantOutcome, add_seed_options, run_mutants
 from surefoot.cli import main as surefoot
-from surefoot.cli.output_files import write_json
 from surefoot.estimate import SensorLog, write_log
 from surefoot.stand import SensorRecorder, StandSettings, parse_reference, run_stand
 
@@ -56,33 +53,15 @@ PLACE = re.compile(
 )
 
 
-@dataclass
-class Case(RunOutcome):
-    """Result of one mutated log: refused, estimated or same; the text, and the changes."""
-
-    end: str
-    message: str
-    changes: list[str]
-
-
 def main() -> int:
     """Run the requested cases, print and write JSON; return 3 if one fails."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     add_seed_options(parser, count=2000)
     parser.add_argument("--keep", metavar="FOLDER", help="write the files of the cases here")
     options = parser.parse_args()
-    print(f"seeds {options.first} .. {options.first + options.count - 1}")
     if options.keep:
         os.environ["SUREFOOT_KEEP_LOGS"] = str(Path(options.keep).resolve())
-    jobs: list[Job] = [(ROBOTS[seed % len(ROBOTS)], seed) for seed in seeds_of(options)]
-    cases = run_seeds(run_case, Case, jobs, options)
-    counts = Counter(case.end for case in cases)
-    failed = sum(not case.ok for case in cases)
-    print(", ".join(f"{count} {end}" for end, count in sorted(counts.items())))
-    print(f"{failed} of {len(cases)} fail")
-    result = {"counts": counts, "failed": failed, "cases": [asdict(case) for case in cases]}
-    write_json(options.json, result, 1)
-    return 3 if failed else 0
+    return run_mutants(run_case, "cases", options)
 
 
 @functools.cache
@@ -108,7 +87,7 @@ def reference(robot: str, moving: bool) -> dict[str, Any]:
     return summary
 
 
-def run_case(job: Job) -> Case:
+def run_case(job: Job) -> MutantOutcome:
     """Run one case."""
     robot, seed = str(job[0]), int(job[1])
     rng = np.random.default_rng(seed)
@@ -129,12 +108,12 @@ def run_case(job: Job) -> Case:
                 warnings.simplefilter("error")  # a warning of numpy is a message without a remedy
                 status, message, summary = estimate(path, robot)
         except BaseException:
-            return Case(False, traceback.format_exc()[-700:], "raises", "", log.changes)
+            return MutantOutcome(False, traceback.format_exc()[-700:], "raises", "", log.changes)
         why = _judge(status, message, summary, expected)
         if time.process_time() - start > MAX_TIME:
             why = why or f"needs {time.process_time() - start:.0f} s"
     end = "refused" if status else "same" if log.harmless else "estimated"
-    return Case(not why, why and f"{why}: {log.changes}", end, message, log.changes)
+    return MutantOutcome(not why, why and f"{why}: {log.changes}", end, message, log.changes)
 
 
 def estimate(path: Path, robot: str) -> tuple[int, str, dict[str, Any] | None]:

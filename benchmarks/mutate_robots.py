@@ -20,16 +20,14 @@ import resource
 import sys
 import tempfile
 import traceback
-from collections import Counter
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from multiprocessing.connection import Connection
 from pathlib import Path
 
 import numpy as np
 from robot_mutations import MutantFiles, write_mutant
-from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds, seeds_of
+from seed_runs import Job, MutantOutcome, add_seed_options, run_mutants
 from surefoot import Error, Status
-from surefoot.cli.output_files import write_json
 from surefoot.robot.loading import build_robot, describe_robot
 from surefoot.sim.model.agreement import compare_models
 from surefoot.stand import StandSettings, run_stand
@@ -41,33 +39,15 @@ MAX_WALL_TIME = 120.0  # [s] after which a mutant that uses no processor is a ha
 STATUS_TIME = 0.5  # [s] before the end of a fall in which a status must appear
 
 
-@dataclass
-class Mutant(RunOutcome):
-    """Result of one mutant: refused, stood or fell; `message` of the Error, and the changes."""
-
-    end: str
-    message: str
-    changes: list[str]
-
-
 def main() -> int:
     """Run the requested mutants, print and write JSON; return 3 if one fails."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     add_seed_options(parser, count=2000)
     options = parser.parse_args()
-    print(f"seeds {options.first} .. {options.first + options.count - 1}")
-    jobs: list[Job] = [(ROBOTS[seed % len(ROBOTS)], seed) for seed in seeds_of(options)]
-    mutants = run_seeds(run_mutant, Mutant, jobs, options)
-    counts = Counter(mutant.end for mutant in mutants)
-    failed = sum(not mutant.ok for mutant in mutants)
-    print(", ".join(f"{count} {end}" for end, count in sorted(counts.items())))
-    print(f"{failed} of {len(mutants)} fail")
-    result = {"counts": counts, "failed": failed, "mutants": [asdict(m) for m in mutants]}
-    write_json(options.json, result, 1)
-    return 3 if failed else 0
+    return run_mutants(run_mutant, "mutants", options)
 
 
-def run_mutant(job: Job) -> Mutant:
+def run_mutant(job: Job) -> MutantOutcome:
     """Run one mutant in a process of its own, so that a crash or a hang is found."""
     context = multiprocessing.get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
@@ -79,7 +59,7 @@ def run_mutant(job: Job) -> Mutant:
         while not receiver.poll(MAX_WALL_TIME) and _is_running(process.pid):
             pass
         if receiver.poll():
-            return Mutant(**receiver.recv())
+            return MutantOutcome(**receiver.recv())
         why = f"hangs for {MAX_WALL_TIME:.0f} s"
     except EOFError:
         process.join()
@@ -87,7 +67,7 @@ def run_mutant(job: Job) -> Mutant:
     finally:
         process.kill()
         process.join()
-    return Mutant(False, why, "lost", "", _changes(job))
+    return MutantOutcome(False, why, "lost", "", _changes(job))
 
 
 def _is_running(pid: int | None) -> bool:
@@ -116,32 +96,34 @@ def _run_in_child(job: Job, sender: Connection) -> None:
             mutant = judge(files)
         except Exception:
             last = traceback.format_exc().strip().splitlines()[-6:]
-            mutant = Mutant(False, " | ".join(line.strip() for line in last), "traceback", "", [])
+            mutant = MutantOutcome(
+                False, " | ".join(line.strip() for line in last), "traceback", "", []
+            )
         mutant.changes = files.changes
         if not mutant.ok:
             mutant.why += f"; changes: {'; '.join(files.changes)}"
         sender.send(asdict(mutant))
 
 
-def judge(files: MutantFiles) -> Mutant:
+def judge(files: MutantFiles) -> MutantOutcome:
     """Load a mutant, compare its two models and let it stand."""
     try:
         description = describe_robot(urdf=files.urdf, config=files.config)
         robot = build_robot(description)
         agreement = compare_models(robot, description)
         if not agreement.worst <= MAX_DIFFERENCE:
-            return Mutant(False, f"the models differ: {agreement}", "differs", "", [])
+            return MutantOutcome(False, f"the models differ: {agreement}", "differs", "", [])
         log = run_stand(StandSettings(robot=description, duration=STAND_TIME))
     except Error as problem:
         message = str(problem)
-        return Mutant(
+        return MutantOutcome(
             names_element(message, files), f"no name in: {message}", "refused", message, []
         )
     if not log.fell:
-        return Mutant(True, "", "stood", "", [])
+        return MutantOutcome(True, "", "stood", "", [])
     late = log.status[log.time > log.time[-1] - STATUS_TIME]
     ok = bool(np.any(late != Status.OK.value))
-    return Mutant(ok, "fell, and the status stayed OK", "fell", "", [])
+    return MutantOutcome(ok, "fell, and the status stayed OK", "fell", "", [])
 
 
 def names_element(message: str, files: MutantFiles) -> bool:

@@ -7,6 +7,7 @@ import hashlib
 import inspect
 import sys
 import time
+from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass
@@ -14,7 +15,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from surefoot import Error, available_robots
-from surefoot.cli.output_files import check_output_path
+from surefoot.cli.output_files import check_output_path, write_json
 from surefoot.cli.progress import report_kept_results
 from surefoot.files.result_store import open_result_store
 from surefoot.robot.loading import package_digest
@@ -32,6 +33,15 @@ class RunOutcome:
 
     ok: bool  # whether the run passed
     why: str  # reason of a failure, else empty
+
+
+@dataclass
+class MutantOutcome(RunOutcome):
+    """Result of a run with a mutated input: what was changed, how the run ended, and its text."""
+
+    end: str
+    message: str
+    changes: list[str]
 
 
 Result = TypeVar("Result", bound=RunOutcome)
@@ -113,6 +123,26 @@ def run_seeds(
         print(f"{script}: {problem}", file=sys.stderr)
         sys.exit(2)
     return [outcomes[job] for job in jobs]
+
+
+def run_mutants(run: Callable[[Job], MutantOutcome], key: str, options: argparse.Namespace) -> int:
+    """Run a mutant per seed, the robots in turn; print counts, write JSON; return 3 if one fails.
+
+    Args:
+        run: Function that runs the mutant of a robot and a seed, in another process.
+        key: Name of the list of outcomes in the JSON object.
+        options: Options of add_seed_options() with a count.
+    """
+    print(f"seeds {options.first} .. {options.first + options.count - 1}")
+    jobs: list[Job] = [(ROBOTS[seed % len(ROBOTS)], seed) for seed in seeds_of(options)]
+    outcomes = run_seeds(run, MutantOutcome, jobs, options)
+    counts = Counter(outcome.end for outcome in outcomes)
+    failed = sum(not outcome.ok for outcome in outcomes)
+    print(", ".join(f"{count} {end}" for end, count in sorted(counts.items())))
+    print(f"{failed} of {len(outcomes)} fail")
+    result = {"counts": counts, "failed": failed, key: [asdict(one) for one in outcomes]}
+    write_json(options.json, result, 1)
+    return 3 if failed else 0
 
 
 def source_digest(run: Callable[[Job], Result]) -> str:

@@ -10,7 +10,8 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from mutate_logs import ROBOTS, _judge, reference, run_case
+from mutate_logs import _judge, reference, run_case
+from seed_runs import ROBOTS
 
 pytestmark = pytest.mark.slow
 COUNT = 60
