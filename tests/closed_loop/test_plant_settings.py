@@ -14,6 +14,8 @@ from surefoot.sim import Plant, PlantSettings, Push
     [
         ("sensors", "perfect"),
         ("foot_force", "on"),
+        ("walking_sensors", "real"),
+        ("soft_soles", 0.005),
         ("friction", -0.1),
         ("friction", float("nan")),
         ("friction", "high"),

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "plant/normal_samples.hpp"
+#include "plant/vibration.hpp"
 
 namespace surefoot::plant {
 
@@ -58,13 +60,15 @@ struct ImuSite {
   const double *gyro, *accelerometer, *quaternion;
 };
 
-/// Errors of a real IMU: constant bias, white noise, and a sample period of several physics steps.
+/// Errors of a real IMU: constant bias, white noise, range, and a sample period of several physics
+/// steps.
 struct ImuErrorModel {
   Vector3 gyro_bias, accelerometer_bias;   // [rad/s], [m/s^2], IMU axes
   double gyro_noise, accelerometer_noise;  // standard deviations of a sample, same units
   int steps;                               // number of physics steps per sample
   double period;                           // [s] sample period
   double filter_gain;                      // [1/s] gain of the attitude filter
+  double gyro_range, accelerometer_range;  // [rad/s], [m/s^2]; values clip at +- range
 };
 
 /// Simulated IMU: exact, or with bias, noise and the vendor's attitude filter.
@@ -86,7 +90,8 @@ class Imu {
   }
 
   /// Advance by one physics step. At the end of each sample period, measure and update the filter.
-  void step() {
+  /// @param vibration present vibration; nullptr: none
+  void step(const Vibration* vibration) {
     if (!real_ || ++count_ % flaws_.steps != 0) return;
     const auto draw = [this](double deviation) {
       const double x = noise_.next(), y = noise_.next(), z = noise_.next();
@@ -95,6 +100,12 @@ class Imu {
     gyro_ = vector(site_.gyro) + flaws_.gyro_bias + draw(flaws_.gyro_noise);
     accelerometer_ =
         vector(site_.accelerometer) + flaws_.accelerometer_bias + draw(flaws_.accelerometer_noise);
+    if (vibration != nullptr) {
+      gyro_ += vibration->value().head<3>().matrix();
+      accelerometer_ += vibration->value().tail<3>().matrix();
+    }
+    clip(gyro_, flaws_.gyro_range);
+    clip(accelerometer_, flaws_.accelerometer_range);
     filter_.update(gyro_, accelerometer_, flaws_.period);
   }
 
@@ -106,6 +117,9 @@ class Imu {
 
  private:
   static Vector3 vector(const double* values) { return Eigen::Map<const Vector3>(values); }
+  static void clip(Vector3& values, double range) {
+    for (double& value : values) value = std::clamp(value, -range, range);
+  }
 
   ImuSite site_;
   ImuErrorModel flaws_{};

@@ -46,19 +46,31 @@ using Array4 = Eigen::Array<double, kLegs, 1>;
 using Counts = Eigen::Array<std::int16_t, kLegs, 1>;
 
 /// Simulated foot force sensors: footForce in counts, with drifting offset, gain and noise;
-/// footForceEst in newtons, with noise.
+/// footForceEst in newtons, with noise. Both may fall late after a force has fallen.
 class FootSensors {
  public:
   bool counts_enabled = false, newtons_enabled = false;   ///< false: the field has zeros
   Array4 offset = Array4::Zero(), gain = Array4::Ones();  ///< counts, counts/N
   /// Random walk of the offset [counts per reading]; noise [counts]; noise [N].
   double offset_walk = 0.0, count_noise = 0.0, force_noise = 0.0;
+  /// Share by which the measured force approaches a smaller force in a physics step, 0 .. 1. It
+  /// follows a larger force at once.
+  double fall_blend = 1.0;
 
   /// @param rng numpy.random.Generator; None: exact newtons in both fields
   explicit FootSensors(nb::object rng) : exact_(rng.is_none()), noise_(std::move(rng)) {}
 
+  /// Start with normal forces [N] that have been constant.
+  void start(const Array4& normal_forces) { falling_ = normal_forces; }
+
+  /// Advance by one physics step; normal_forces are the forces [N] at its end.
+  void step(const Array4& normal_forces) {
+    falling_ = normal_forces.max(falling_ + fall_blend * (normal_forces - falling_));
+  }
+
   /// Return footForce [counts] and footForceEst [N] for normal forces [N].
-  std::pair<Counts, Counts> read(const Array4& normal_forces) {
+  std::pair<Counts, Counts> read(const Array4& true_forces) {
+    const Array4 normal_forces = fall_blend < 1.0 ? true_forces.max(falling_) : true_forces;
     std::pair<Counts, Counts> out{Counts::Zero(), Counts::Zero()};
     if (!counts_enabled && !newtons_enabled) return out;
     Array4 counts = normal_forces, newtons = normal_forces;
@@ -88,6 +100,7 @@ class FootSensors {
 
   bool exact_;
   NormalSamples noise_;
+  Array4 falling_ = Array4::Zero();  // [N] force that the sensor measures
 };
 
 }  // namespace surefoot::plant

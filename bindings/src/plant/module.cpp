@@ -165,6 +165,12 @@ void bind_sensors(nb::module_& m) {
               "Random walk of the offsets [counts per reading].")
       .def_rw("count_noise", &FootSensors::count_noise, "Standard deviation of footForce [counts].")
       .def_rw("force_noise", &FootSensors::force_noise, "Standard deviation of footForceEst [N].")
+      .def_rw("fall_blend", &FootSensors::fall_blend,
+              "Share by which the measured force approaches a smaller force in a physics step.")
+      .def("start", &FootSensors::start, "normal_forces"_a,
+           "Start with normal forces (4,) [N] that have been constant.")
+      .def("step", &FootSensors::step, "normal_forces"_a,
+           "Advance by one physics step with the normal forces (4,) [N] at its end.")
       .def("read", &FootSensors::read, "normal_forces"_a,
            "Return footForce [counts] and footForceEst [N], int16 (4,), of normal forces\n"
            "(4,) [N].");
@@ -174,13 +180,13 @@ void bind_sensors(nb::module_& m) {
           "__init__",
           [](ImuErrorModel* self, const Vector3& gyro_bias, const Vector3& accelerometer_bias,
              double gyro_noise, double accelerometer_noise, int steps, double period,
-             double filter_gain) {
+             double filter_gain, double gyro_range, double accelerometer_range) {
             new (self)
                 ImuErrorModel{gyro_bias, accelerometer_bias, gyro_noise, accelerometer_noise, steps,
-                              period,    filter_gain};
+                              period,    filter_gain,        gyro_range, accelerometer_range};
           },
           "gyro_bias"_a, "accelerometer_bias"_a, "gyro_noise"_a, "accelerometer_noise"_a, "steps"_a,
-          "period"_a, "filter_gain"_a,
+          "period"_a, "filter_gain"_a, "gyro_range"_a, "accelerometer_range"_a,
           "Args:\n"
           "    gyro_bias: Bias of the gyroscope [rad/s], IMU axes, shape (3,).\n"
           "    accelerometer_bias: Bias of the accelerometer [m/s^2], IMU axes, shape (3,).\n"
@@ -188,7 +194,28 @@ void bind_sensors(nb::module_& m) {
           "    accelerometer_noise: Standard deviation of a sample [m/s^2].\n"
           "    steps: Number of physics steps per sample.\n"
           "    period: Sample period [s].\n"
-          "    filter_gain: Gain of the attitude filter [1/s].");
+          "    filter_gain: Gain of the attitude filter [1/s].\n"
+          "    gyro_range: Largest absolute value of a gyroscope axis [rad/s].\n"
+          "    accelerometer_range: Largest absolute value of an accelerometer axis [m/s^2].");
+}
+
+void bind_vibration(nb::module_& m) {
+  nb::class_<Vibration>(m, "Vibration", "Vibration of the trunk at the IMU, excited by the feet.")
+      .def(nb::init<const Vibration::Array6&, double, const Vibration::Coupling&, double>(),
+           "frequency"_a, "damping_ratio"_a, "coupling"_a, "dt"_a,
+           "Args:\n"
+           "    frequency: Natural frequencies [rad/s] of gyroscope x y z and accelerometer\n"
+           "        x y z, shape (6,).\n"
+           "    damping_ratio: Damping ratio, above 0 and below 1.\n"
+           "    coupling: Change of the values by a change of the normal forces [rad/s/N],\n"
+           "        [m/s^2/N], shape (6, 4).\n"
+           "    dt: Physics step [s].")
+      .def("start", &Vibration::start, "forces"_a, "Start at rest with normal forces (4,) [N].")
+      .def("step", &Vibration::step, "forces"_a,
+           "Advance by one physics step with the normal forces (4,) [N] at its end.")
+      .def_prop_ro(
+          "value", [](const Vibration& v) { return Vibration::Array6(v.value()); },
+          "Vibration (6,) [rad/s], [m/s^2]: gyroscope x y z, accelerometer x y z, IMU axes.");
 }
 
 void bind_physics(nb::module_& m) {
@@ -210,26 +237,32 @@ void bind_physics(nb::module_& m) {
           "__init__",
           [](Sensors* self, const MujocoState& state, const WireFormat& wire,
              const std::array<int, 3>& site, const std::optional<ImuErrorModel>& flaws,
-             const nb::object& imu_rng, const Encoders& encoders, const FootSensors& feet,
+             const nb::object& imu_rng, const std::optional<Vibration>& vibration,
+             int accelerometer_readings, const Encoders& encoders, const FootSensors& feet,
              const Eigen::Array<int, surefoot::kLegs * 3, 1>& foot_forces,
              const Vector3& ground_normal, const surefoot::LowState& rest, std::uint32_t tick0,
              double rate) {
             const double* values = state.sensordata.data();
             const ImuSite at{values + site[0], values + site[1], values + site[2]};
             const Imu imu = flaws ? Imu(at, *flaws, imu_rng) : Imu(at);
-            new (self) Sensors(state, wire, imu, encoders, feet, foot_forces, ground_normal, rest,
-                               tick0, rate);
+            new (self) Sensors(state, wire, imu, vibration, accelerometer_readings, encoders, feet,
+                               foot_forces, ground_normal, rest, tick0, rate);
           },
-          "state"_a, "wire"_a, "site"_a, "flaws"_a.none(), "imu_rng"_a.none(), "encoders"_a,
-          "feet"_a, "foot_forces"_a, "ground_normal"_a, "rest"_a, "tick0"_a, "rate"_a,
+          "state"_a, "wire"_a, "site"_a, "flaws"_a.none(), "imu_rng"_a.none(), "vibration"_a.none(),
+          "accelerometer_readings"_a, "encoders"_a, "feet"_a, "foot_forces"_a, "ground_normal"_a,
+          "rest"_a, "tick0"_a, "rate"_a,
           nb::sig("def __init__(self, state: MujocoState, wire: WireFormat, "
                   "site: tuple[int, int, int], flaws: ImuErrorModel | None, imu_rng: object, "
-                  "encoders: Encoders, feet: FootSensors, foot_forces: object, "
+                  "vibration: Vibration | None, accelerometer_readings: int, encoders: Encoders, "
+                  "feet: FootSensors, foot_forces: object, "
                   "ground_normal: object, rest: object, tick0: int, rate: float) -> None"),
           "Args:\n"
           "    site: Indices in sensordata of the first entries of gyro, accelerometer and\n"
-          "        quaternion.")
-      .def("start", &Sensors::start, "Start the attitude filter, with the robot at rest.")
+          "        quaternion.\n"
+          "    vibration: Vibration of the IMU; None: it does not vibrate.\n"
+          "    accelerometer_readings: Number of LowStates for each new accelerometer value.")
+      .def("start", &Sensors::start,
+           "Start the attitude filter and the memory of the foot forces, with the robot at rest.")
       .def("read", &Sensors::read, "motors"_a,
            nb::sig("def read(self, motors: Motors) -> typing.Any"),
            "Return the LowState of the present state; each call advances its tick by one\n"
@@ -257,6 +290,7 @@ void bind_physics(nb::module_& m) {
 NB_MODULE(_plant, m) {
   m.doc() = "Physics loop of surefoot.sim.Plant. Import surefoot._core first.";
   bind_motors(m);
+  bind_vibration(m);
   bind_sensors(m);
   bind_physics(m);
 }

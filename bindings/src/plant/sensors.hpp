@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "plant/imu.hpp"
 #include "plant/joint_and_foot_sensors.hpp"
@@ -30,12 +31,17 @@ struct MujocoState {
 /// combined to a LowState.
 class Sensors {
  public:
-  Sensors(MujocoState state, WireFormat wire, Imu imu, Encoders encoders, FootSensors feet,
+  /// @param vibration vibration of the IMU; none: it does not vibrate
+  /// @param accelerometer_readings number of LowStates for each new accelerometer value
+  Sensors(MujocoState state, WireFormat wire, Imu imu, std::optional<Vibration> vibration,
+          int accelerometer_readings, Encoders encoders, FootSensors feet,
           const Eigen::Array<int, kLegs * 3, 1>& foot_forces, const Vector3& ground_normal,
           const LowState& rest, std::uint32_t tick0, double rate)
       : state_(std::move(state)),
         wire_(wire),
         imu_(std::move(imu)),
+        vibration_(std::move(vibration)),
+        accelerometer_readings_(accelerometer_readings),
         encoders_(std::move(encoders)),
         feet_(std::move(feet)),
         foot_forces_(foot_forces),
@@ -44,13 +50,20 @@ class Sensors {
         tick0_(tick0),
         rate_(rate) {}
 
-  /// Start the attitude filter, with the robot at rest.
-  void start() { imu_.start(); }
+  /// Start the attitude filter and the memory of the foot forces, with the robot at rest.
+  void start() {
+    imu_.start();
+    feet_.start(normal_forces());
+    if (vibration_) vibration_->start(normal_forces());
+  }
 
   /// Advance by one physics step; dq are the true velocities at the motors [rad/s].
   void step(const Array12& dq) {
-    imu_.step();
+    const Array4 forces = normal_forces();
+    if (vibration_) vibration_->step(forces);
+    imu_.step(vibration_ ? &*vibration_ : nullptr);
     encoders_.step(dq);
+    feet_.step(forces);
   }
 
   /// Return the LowState of the present state. tauEst is the torque that the drivers estimate. Each
@@ -58,13 +71,7 @@ class Sensors {
   LowState read(const Motors& motors) {
     write_imu();
     write_motors(motors);
-    Array4 forces;
-    for (int leg = 0; leg < kLegs; ++leg) {
-      Vector3 force;
-      for (int k = 0; k < 3; ++k) force[k] = state_.sensordata.data()[foot_forces_[3 * leg + k]];
-      forces[leg] = force.dot(ground_normal_);
-    }
-    const auto [counts, newtons] = feet_.read(forces);
+    const auto [counts, newtons] = feet_.read(normal_forces());
     frame_.footForce = {counts[0], counts[1], counts[2], counts[3]};
     frame_.footForceEst = {newtons[0], newtons[1], newtons[2], newtons[3]};
     const double elapsed = std::nearbyint(1000.0 * static_cast<double>(readings_++) / rate_);
@@ -73,12 +80,21 @@ class Sensors {
   }
 
  private:
+  Array4 normal_forces() const {
+    Array4 forces;
+    for (int leg = 0; leg < kLegs; ++leg) {
+      Vector3 force;
+      for (int k = 0; k < 3; ++k) force[k] = state_.sensordata.data()[foot_forces_[3 * leg + k]];
+      forces[leg] = force.dot(ground_normal_);
+    }
+    return forces;
+  }
   void write_imu() {
     const Eigen::Vector4f q = imu_.quaternion().cast<float>();
     const Eigen::Vector3f w = imu_.gyro().cast<float>(), a = imu_.accelerometer().cast<float>();
     frame_.imu.quaternion = {q[0], q[1], q[2], q[3]};
     frame_.imu.gyroscope = {w[0], w[1], w[2]};
-    frame_.imu.accelerometer = {a[0], a[1], a[2]};
+    if (readings_ % accelerometer_readings_ == 0) frame_.imu.accelerometer = {a[0], a[1], a[2]};
     const Eigen::Vector3f rpy = rpy_zyx(imu_.quaternion()).cast<float>();
     frame_.imu.rpy = {rpy[0], rpy[1], rpy[2]};
   }
@@ -106,6 +122,8 @@ class Sensors {
   MujocoState state_;
   WireFormat wire_;
   Imu imu_;
+  std::optional<Vibration> vibration_;
+  int accelerometer_readings_;
   Encoders encoders_;
   FootSensors feet_;
   Eigen::Array<int, kLegs * 3, 1> foot_forces_;

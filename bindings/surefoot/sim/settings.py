@@ -19,6 +19,10 @@ _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
 # [m] Range of soft_ground_sink. The minimum exceeds the 20 um by which feet sink into rigid ground.
 # The maximum is below half of the length of a calf.
 MIN_SINK, MAX_SINK = 1e-4, 0.1
+# [m] Depth by which a soft sole yields under a quarter of the robot's own weight. Assumed, because
+# the vendor publishes no stiffness: a quarter of the foot radius of a Go1. If larger: a foot that
+# touches down moves for longer after its force has risen.
+SOLE_SINK = 0.005
 
 
 @dataclass(frozen=True)
@@ -30,6 +34,11 @@ class PlantSettings:
             samples, quantised wire format, motor lag) or "ideal" (exact, without delay).
         foot_force: "est" (newtons and raw counts), "raw" (raw counts alone), "dead" (zeros);
             None: "est" if the robot's TOML sets simulation.foot_force_est, else "dead".
+        walking_sensors: Whether real sensors have the errors that walking adds: the IMU vibrates
+            after impacts and clips, the accelerometer repeats its values, and foot forces fall late
+            (sim/hardware/walking_errors.py). No effect on ideal sensors.
+        soft_soles: Whether the feet have soft soles (SOLE_SINK); else they are rigid. The soles are
+            part of the contact, so they act with ideal sensors too.
         friction: Friction coefficient between foot and ground.
         soft_ground_sink: Depth to which a foot sinks under a quarter of the robot's own weight [m].
             0: rigid ground; 0.1 mm or more: a spring and a damper (sim/model/soft_ground.py).
@@ -56,6 +65,8 @@ class PlantSettings:
 
     sensors: str = "real"
     foot_force: str | None = None
+    walking_sensors: bool = False
+    soft_soles: bool = False
     friction: float = 0.8  # feet of MuJoCo Menagerie's Unitree quadrupeds
     soft_ground_sink: float = 0.0
     slope_deg: float = 0.0
@@ -79,6 +90,9 @@ class PlantSettings:
 
     def __post_init__(self) -> None:
         check_one_of("sensors", self.sensors, _SENSORS)
+        for name in ("walking_sensors", "soft_soles"):
+            if not isinstance(getattr(self, name), bool):
+                raise Error(f"{name}: got {getattr(self, name)!r}, expected True or False")
         if self.foot_force is not None:
             check_one_of("foot_force", self.foot_force, _FOOT_FORCE)
         self._check_moving_ground()
@@ -123,6 +137,11 @@ class PlantSettings:
         return self.sensors == "real"
 
     @property
+    def contact_sink(self) -> float:
+        """Depth by which ground and sole together yield under a quarter of the weight [m]."""
+        return self.soft_ground_sink + (SOLE_SINK if self.soft_soles else 0.0)
+
+    @property
     def lag(self) -> float:
         """Time constant of the motor torque [s]: motor_lag, or its default if None."""
         if self.motor_lag is not None:
@@ -145,11 +164,11 @@ class PlantSettings:
         if self.platform_heading_deg is not None:
             check_number("platform_heading_deg", self.platform_heading_deg, -360.0, 360.0)
         moving = [self.block_foot, self.platform_heading_deg]
-        others = self.hung or self.slope_deg != 0.0 or self.soft_ground_sink > 0.0
+        others = self.hung or self.slope_deg != 0.0 or self.contact_sink > 0.0
         if moving.count(None) < (2 if others else 1):
             raise Error(
-                "moving ground: got it together with a second one, a slope, soft ground or a hung "
-                "robot, expected platform_heading_deg or block_foot alone"
+                "moving ground: got it together with a second one, a slope, soft ground, soft "
+                "soles or a hung robot, expected platform_heading_deg or block_foot alone"
             )
 
     def _check_physics_dt(self) -> None:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from surefoot import _plant
+from surefoot.sim.hardware import walking_errors
 
 # The vendor publishes no values. The offsets are those of unloaded feet in public logs of one Go1
 # (8 to 48 counts); all other values are assumed. Tests: test_plant_sensors.py.
@@ -26,13 +27,24 @@ class FootSensors(_plant.FootSensors):
         kind: "est" fills footForce and footForceEst, "raw" only footForce, "dead" neither.
         period: Time between samples [s].
         rng: Source of offsets, gains, drift and noise; None: exact newtons in both fields.
+        walking_dt: Physics step [s] of sensors with walking errors: a larger gain, and forces that
+            fall late; None: no walking errors.
     """
 
-    def __init__(self, kind: str, period: float, rng: np.random.Generator | None) -> None:
+    def __init__(
+        self,
+        kind: str,
+        period: float,
+        rng: np.random.Generator | None,
+        walking_dt: float | None = None,
+    ) -> None:
         super().__init__(rng)
         self.counts_enabled, self.newtons_enabled = kind != "dead", kind == "est"
         if rng is not None:
             self.offset = rng.uniform(*COUNT_OFFSET, 4)
-            self.gain = rng.uniform(*COUNT_GAIN, 4)
+            gain = COUNT_GAIN if walking_dt is None else walking_errors.COUNT_GAIN
+            self.gain = rng.uniform(*gain, 4)
             self.offset_walk = COUNT_DRIFT * math.sqrt(period / 60.0)
             self.count_noise, self.force_noise = COUNT_NOISE, FORCE_NOISE
+            if walking_dt is not None:
+                self.fall_blend = walking_errors.force_fall_blend(walking_dt)

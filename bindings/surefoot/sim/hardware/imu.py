@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from surefoot import _plant
 from surefoot.geometry.rotations import Array
 from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
+from surefoot.sim.hardware.walking_errors import ACCELEROMETER_RANGE, GYRO_RANGE
 
 # The values are assumed, because Unitree names no IMU and publishes no data sheet. Upper bounds are
 # the limits of the arming checks (0.05 rad/s, 5 % of g): a healthy robot must pass these checks.
@@ -22,7 +25,7 @@ SAMPLE_PERIOD = 0.001
 
 
 def draw_imu_errors(
-    flaws: Flaws, dt: float, rng: np.random.Generator
+    flaws: Flaws, dt: float, rng: np.random.Generator, walking: bool = False
 ) -> tuple[_plant.ImuErrorModel, Array]:
     """Draw the errors of one IMU.
 
@@ -30,6 +33,7 @@ def draw_imu_errors(
         flaws: Flaws; their two biases set the errors, or how the errors are drawn.
         dt: Physics step [s].
         rng: Source of the biases, and later of the noise.
+        walking: Whether values clip at the ranges of a real IMU.
 
     Returns:
         The error model, and the biases (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU
@@ -46,5 +50,7 @@ def draw_imu_errors(
         steps,
         steps * dt,
         MAHONY_GAIN,
+        GYRO_RANGE if walking else math.inf,
+        ACCELEROMETER_RANGE if walking else math.inf,
     )
     return imu_errors, np.concatenate([gyro_bias, accelerometer_bias])

@@ -10,9 +10,12 @@ from surefoot._core import Robot
 from surefoot.sim.hardware.encoders import IdealEncoders, RealEncoders
 from surefoot.sim.hardware.foot_sensors import FootSensors
 from surefoot.sim.hardware.imu import draw_imu_errors
+from surefoot.sim.hardware.walking_errors import ACCELEROMETER_READINGS, draw_vibration
 from surefoot.sim.hardware.wire_format import WireFormat, default_low_state
 from surefoot.sim.model.mujoco_handles import Handles
 from surefoot.sim.settings import PlantSettings
+
+_VIBRATION_STREAM = 4  # stream of random numbers; the other sensors use 0 .. 2, the motors 3
 
 
 def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.MujocoState:
@@ -49,24 +52,27 @@ class Sensors(_plant.Sensors):
         imu_rng, encoder_rng, foot_rng = (
             np.random.default_rng([settings.seed, k]) for k in range(3)
         )
+        walking, dt = settings.real and settings.walking_sensors, settings.physics_dt
+        vibration_rng = np.random.default_rng([settings.seed, _VIBRATION_STREAM])
         self.imu_bias, imu_errors = np.zeros(6), None
         encoders: IdealEncoders | RealEncoders = IdealEncoders()
         if settings.real:
-            imu_errors, self.imu_bias = draw_imu_errors(
-                settings.flaws, settings.physics_dt, imu_rng
-            )
-            encoders = RealEncoders(settings.physics_dt, encoder_rng)
+            imu_errors, self.imu_bias = draw_imu_errors(settings.flaws, dt, imu_rng, walking)
+            encoders = RealEncoders(dt, encoder_rng)
         super().__init__(
             mujoco_state(data, handles),
             WireFormat(robot.name, settings.real),
             (handles.gyro.start, handles.accelerometer.start, handles.quaternion.start),
             imu_errors,
             imu_rng,
+            draw_vibration(robot, settings, vibration_rng) if walking else None,
+            ACCELEROMETER_READINGS if walking else 1,
             encoders,
             FootSensors(
                 settings.foot_force or "dead",
                 1.0 / settings.control_rate,
                 foot_rng if settings.real else None,
+                dt if walking else None,
             ),
             handles.foot_forces.ravel().astype(np.int32),
             handles.ground_normal,

@@ -1,4 +1,8 @@
-"""Soft ground: a linear spring and a damper below each foot.
+"""Soft ground and soft soles: a linear spring and a damper between each foot and the ground.
+
+Ground and sole are in series, so the depths by which they yield add up. Soft ground alone is
+critically damped. A sole has little damping, so a foot that touches down still moves while its
+force rises.
 
 MuJoCo has no spring contact. It solves R f = a_ref - a for the contact force f, where a is the
 acceleration, a_ref = -(damping v + stiffness r) / d the reference acceleration at penetration r and
@@ -17,7 +21,7 @@ impratio, and by default the velocity gain of friction from the damping of the s
 the velocity gain are set so that the tangential behaviour does not change. Otherwise feet would
 creep, and a sliding foot would rise.
 
-The calf sinks with its foot, so collisions of calves with soft ground are switched off. For all
+The calf sinks with its foot, so collisions of calves with the ground are switched off. For all
 other parts the ground is rigid.
 """
 
@@ -38,11 +42,14 @@ _MIN_IMPEDANCE = 0.1
 # Largest ratio of the physics step to the damper's time constant on an unloaded foot. Derived: an
 # explicit damper is stable below 2 and does not overshoot below 1; 0.5 leaves a factor of two.
 _MAX_STEP_RATIO = 0.5
+# Damping ratio of a soft sole under a quarter of the robot's mass. Assumed: rubber has loss factors
+# of 0.1 to 0.3, and the damping ratio is half of the loss factor. If larger: a foot stops sooner.
+_SOLE_DAMPING_RATIO = 0.15
 
 
 def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Add a separate ground contact for each foot, if settings.soft_ground_sink is above 0."""
-    if settings.soft_ground_sink <= 0.0:
+    """Add a separate ground contact for each foot, if settings.contact_sink is above 0."""
+    if settings.contact_sink <= 0.0:
         return
     friction = settings.friction
     for name in robot.config.foot_frames:
@@ -61,12 +68,14 @@ def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings
 
 def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSettings) -> None:
     """Set stiffness and damping of the soft contacts, with the inertias of the compiled model."""
-    if settings.soft_ground_sink <= 0.0:
+    sink, ground_sink = settings.contact_sink, settings.soft_ground_sink
+    if sink <= 0.0:
         return
-    # Critical damping for a quarter of the robot's mass.
     mass = robot.mass / 4.0
-    stiffness = mass * GRAVITY / settings.soft_ground_sink
-    damping = 2.0 * math.sqrt(stiffness * mass)
+    stiffness = mass * GRAVITY / sink
+    # The damping ratios of ground (1) and sole, each weighted by its share of the depth.
+    damping_ratio = (ground_sink + _SOLE_DAMPING_RATIO * (sink - ground_sink)) / sink
+    damping = damping_ratio * 2.0 * math.sqrt(stiffness * mass)
     rigid_impedance = FOOT_SOLIMP[0]
     velocity_gain = 2.0 / (FOOT_SOLREF[0] * FOOT_SOLIMP[1])  # of friction on rigid ground
     for name in robot.config.foot_frames:

@@ -27,7 +27,7 @@ def place_standing(
 ) -> None:
     """Reset to the standing pose: hung, or on the ground and parallel to it.
 
-    On soft ground the lowest foot penetrates by settings.soft_ground_sink.
+    On soft ground and on soft soles, the lowest foot penetrates by settings.contact_sink.
     """
     mujoco.mj_resetData(model, data)
     data.qpos[3:7] = model.geom_quat[handles.ground_geom]
@@ -39,7 +39,7 @@ def place_standing(
         return
     mujoco.mj_kinematics(model, data)
     heights = data.xpos[handles.foot_bodies] @ handles.ground_normal
-    gap = heights.min() - robot.config.foot_radius + settings.soft_ground_sink
+    gap = heights.min() - robot.config.foot_radius + settings.contact_sink
     data.qpos[:3] -= gap * handles.ground_normal
 
 
