@@ -88,8 +88,8 @@ struct Gains {
   double gait_stance_travel = 0.9;
   /// [h corner_speed] Greatest speed of a swing foot past the body; faster, the duty falls.
   double gait_swing_speed = 1.0;
-  double swing_height = 0.2;         ///< [h] height to which a swing foot rises
-  double swing_landing_speed = 0.12;  ///< [sqrt(g h)] downward speed at which a foot lands
+  double swing_height = 0.15;        ///< [h] height to which a swing foot rises
+  double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
   double walk_acceleration = 0.2;       ///< [g] greatest acceleration of the commanded velocity

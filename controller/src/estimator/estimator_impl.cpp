@@ -172,7 +172,8 @@ bool StateEstimator::Impl::supported() const noexcept {
 // that were estimated when the motion was planned.
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
-  payload.update(gains, dynamics, leg_forces.forces(), supported, dt);
+  // The forces of feet that land and lift off are not known well enough to weigh a payload.
+  payload.update(gains, dynamics, leg_forces.forces(), supported && !stepping, dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
