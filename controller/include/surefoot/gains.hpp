@@ -88,6 +88,9 @@ struct Gains {
   double gait_stance_travel = 0.9;
   /// [h corner_speed] Greatest speed of a swing foot past the body; faster, the duty falls.
   double gait_swing_speed = 1.0;
+  /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the capture
+  /// point.
+  double foothold_feedback = 0.7;
   double swing_height = 0.15;        ///< [h] height to which a swing foot rises
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.

@@ -14,7 +14,8 @@ constexpr double kMaxOffset = 0.83;
 
 }  // namespace
 
-Eigen::Vector2d foothold(const GaitSize& size, const HorizontalMotion& measured,
+Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size,
+                         const HorizontalMotion& measured,
                          const BodyTrajectory& body, int leg, double time_left,
                          double stance_time) noexcept {
   const double turn = body.velocity().yaw_rate * (time_left + 0.5 * stance_time);
@@ -23,7 +24,7 @@ Eigen::Vector2d foothold(const GaitSize& size, const HorizontalMotion& measured,
                                   Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
   // The feet carry a body that accelerates by a from behind: the zero-moment point is at a h / g.
   Eigen::Vector2d offset = 0.5 * stance_time * body.v_world() +
-                           size.time * (measured.v_com - body.v_world()) -
+                           gains.foothold_feedback * size.time * (measured.v_com - body.v_world()) -
                            size.time * size.time * body.a_world();
   offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));
   return hip + offset;

@@ -69,7 +69,7 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   if (contacts_.phase(leg) != FootPhase::kSwing) return;
   const double time_left = clock_.time_to_touchdown(leg);
   const Eigen::Vector2d xy =
-      foothold(size_, measured, body_, leg, time_left, clock_.timing().stance_time());
+      foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
   swing.update({input.gains.swing_height * size_.height,
                 input.gains.swing_landing_speed * size_.speed},

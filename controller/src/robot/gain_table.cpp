@@ -120,6 +120,8 @@ constexpr GainInfo kRows[] = {
      "shorter"},
     {kWalking, "gait_swing_speed", "h corner_speed", 0.1, 10, &G::gait_swing_speed,
      "greatest speed of a swing foot past the body; at higher speed the duty is smaller"},
+    {kWalking, "foothold_feedback", "sqrt(h/g)", 0, 2, &G::foothold_feedback,
+     "distance of a foothold ahead, per velocity beyond the commanded one; 1: capture point"},
     {kWalking, "swing_height", "h", 0.02, 0.8, &G::swing_height,
      "height to which a swing foot rises"},
     {kWalking, "swing_landing_speed", "sqrt(g h)", 0, 1, &G::swing_landing_speed,
