@@ -72,7 +72,7 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
     """Return the settings that the arguments give; raise Error if an argument is wrong."""
     from surefoot.sim import PlantSettings
     from surefoot.stand import StandSettings, parse_push, parse_reference
-    from surefoot.stand.settings import check_rate
+    from surefoot.stand.simulation_settings import check_rate
 
     check_rate(arguments.rate)
     robot = chosen_robot(arguments, default="go1")
