@@ -210,7 +210,7 @@ def test_gains_option_changes_only_the_gains_in_the_file(monkeypatch, tmp_path):
     own = surefoot.Gains()
     own.foot_kd = 33.0
     robot = SimpleNamespace(config=SimpleNamespace(gains=own))
-    monkeypatch.setattr("surefoot.cli.stand.build_robot", lambda _: robot)
+    monkeypatch.setattr("surefoot.cli.simulation_arguments.build_robot", lambda _: robot)
     (tmp_path / "gains.toml").write_text("foot_kp = 90.0")
     gains = read_settings(arguments.parse_arguments(["stand", "--gains", "gains.toml"])).gains
     assert (gains.foot_kp, gains.foot_kd) == (90.0, 33.0)
