@@ -21,12 +21,12 @@ def slip_velocities(plant: Plant) -> Array:
     """
     handles, radius = plant.handles, plant.robot.config.foot_radius
     normal = handles.ground_normal
-    velocities, motion = np.zeros((3, 4)), np.zeros(6)
+    motion, motions = np.zeros(6), np.zeros((4, 6))
     for leg, body in enumerate(handles.foot_bodies):
         mujoco.mj_objectVelocity(
             plant.model, plant.data, mujoco.mjtObj.mjOBJ_XBODY, body, motion, 0
         )
-        penetration = max(0.0, radius - normal @ plant.data.xpos[body])
-        arm = -(radius - 0.5 * penetration) * normal
-        velocities[:, leg] = motion[3:] + np.cross(motion[:3], arm)
-    return velocities
+        motions[leg] = motion
+    penetration = np.maximum(0.0, radius - plant.data.xpos[handles.foot_bodies] @ normal)
+    arms = -(radius - 0.5 * penetration)[:, None] * normal
+    return np.asarray((motions[:, 3:] + np.cross(motions[:, :3], arms)).T)

@@ -9,8 +9,9 @@ import numpy as np
 from surefoot.walk.walk_log import WalkLog
 
 LOADED = 0.05  # share of the weight above which a foot counts as loaded; of the slip's definition
-# [s] A shorter gap in the load is a bounce of the same step. Chosen: below the shortest swing.
-MIN_SWING = 0.02
+# [s] A shorter gap in the load is a bounce of the same step: soft soles bounce for up to 40 ms, and
+# swings take 150 ms and more.
+MIN_SWING = 0.06
 TOUCHDOWN_TIME = 0.03  # [s] time after a touchdown in which its largest force counts
 
 
