@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# `make stand` and `make test` do everything on a fresh machine. Nothing leaves this folder, but that
+# `make stand`, `make walk` and `make test` do everything on a fresh machine. Nothing leaves this folder, but that
 # `make test` as root with apt installs a browser, for the one test that needs it.
 PYTHON ?= python3
 BIN := .venv/bin
@@ -15,7 +15,7 @@ SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
   "nanobind>=2.9,<4" "casadi==3.8.2" "cmake>=3.22" "ninja>=1.11"
 
-.PHONY: install stand test docs tests-cpp check generate lint sanitize fuzz clean
+.PHONY: install stand walk test docs tests-cpp check generate lint sanitize fuzz clean
 
 .venv/.tools: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -33,6 +33,11 @@ install: .venv/.installed
 stand: install
 	$(BIN)/surefoot stand --robot go1 --duration 10 --sensors real \
 	  --push lateral:50%:0.1@2.0 --push forward:50%:0.1@6.0 --report out/stand
+
+# A go1 walks, is pushed, turns and stops, with the sensor errors and soft soles of a walk.
+walk: install
+	$(BIN)/surefoot walk --robot go1 --duration 10 --velocity 0.5,0,0@1 --velocity 0.3,0,1@4 \
+	  --velocity 0,0,0@7 --push lateral:20%:0.1@3.0 --report out/walk
 
 # For the test of the live page, where apt and its rights are there; that test is skipped without.
 .venv/.browser: .venv/.installed

@@ -16,11 +16,13 @@ GROUPS = {
         "whole_body_controller",
         "supervisor",
         "stand_runner",
+        "walk_controller",
     ),
     "Data": (
         "low_level",
         "types",
         "body_reference",
+        "walk_velocity",
         "gains",
         "task",
         "planner",

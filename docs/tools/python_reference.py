@@ -10,7 +10,8 @@ from pathlib import Path
 CORE_GROUPS = {
     "Controllers": (
         "Controller StandController StandOptions WholeBodyController WholeBodyOptions Supervisor "
-        "SupervisorOptions StandRunner RunOptions RunSnapshot RunLog"
+        "SupervisorOptions StandRunner RunOptions RunSnapshot RunLog WalkController WalkOptions "
+        "WalkVelocity"
     ),
     "Robots": "load_robot available_robots Robot RobotConfig motor_torque_limit motion_range",
     "Gains": "Gains GainInfo gain_table get_gain set_gain load_gains save_gains",
@@ -25,7 +26,7 @@ CORE_GROUPS = {
     "Estimation": "StateEstimator EstimatorReport ContactSource SensorVerdict identify_delay",
     "Statuses": (
         "Status is_usable names_wrong_sensor FallbackLevel Mode Start RequestStatus RiseStage "
-        "ReachStatus ReachLimit"
+        "ReachStatus ReachLimit Gait WalkLimit"
     ),
     "Safety and faults": (
         "Safety ArmingCheck ArmingReport FaultId FaultInfo FaultReaction FaultReport fault_table"
@@ -39,6 +40,7 @@ MODULES = {
     "surefoot.replay": "Record a controller's calls; replay them.",
     "surefoot.symbolic": "CasADi functions of a robot's dynamics (extra ``tune``).",
     "surefoot.stand": "Simulated stands with pushes and references, and their figures.",
+    "surefoot.walk": "Simulated walks at commanded velocities, and their figures.",
     "surefoot.estimate": "The state estimator on sensor logs.",
     "surefoot.assess": "Scorecards of standing controllers.",
     "surefoot.faults": "Fault injection.",

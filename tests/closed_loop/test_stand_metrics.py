@@ -14,8 +14,8 @@ from surefoot.files.json_values import json_value
 from surefoot.sim import PlantSettings, Push
 from surefoot.stand import FIELDS, StandSettings, parse_push, run_stand, summarise
 from surefoot.stand.foot_frame import foot_positions, pose_from_feet
+from surefoot.stand.log_recorder import is_torque_mode
 from surefoot.stand.settling import settle_time, settled_ticks
-from surefoot.stand.simulation_loop import is_torque_mode
 from surefoot.stand.summary_text import push_line
 
 

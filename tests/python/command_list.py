@@ -28,6 +28,7 @@ ARGUMENTS = {
     "tune design": "--bandwidth 3",
     "tune live": "--port 0 --power-level 3",
     "tune search": "--trials 0",
+    "walk": "--duration 0.1 --json {folder}/out.json",
 }
 
 

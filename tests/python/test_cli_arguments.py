@@ -66,6 +66,17 @@ BAD = {
     "config without urdf": ["gains", "--config", "b.toml"],
     "name and files": ["stand", "--robot", "go1", "--urdf", "a.urdf", "--config", "b.toml"],
     "missing files": ["stand", "--urdf", "a.urdf", "--config", "b.toml"],
+    "velocity without time": ["walk", "--velocity", "0.5,0,0"],
+    "velocity with two numbers": ["walk", "--velocity", "0.5,0@1"],
+    "velocity that is not a number": ["walk", "--velocity", "nan,0,0@1"],
+    "infinite velocity": ["walk", "--velocity", "0,inf,0@1"],
+    "velocity with a word": ["walk", "--velocity", "0,0,fast@1"],
+    "velocity before the start": ["walk", "--velocity", "0,0,1@-1"],
+    "velocity after the end": ["walk", "--duration", "1", "--velocity", "0,0,1@1"],
+    "two velocities at one time": ["walk", "--velocity", "1,0,0@1", "--velocity", "0,1,0@1"],
+    "unknown gait": ["walk", "--gait", "pace"],
+    "two directions of ascent": ["walk", "--slope", "5:90", "--slope-heading", "0"],
+    "walk with a reference": ["walk", "--reference", "roll=1@1"],
     "bench of unknown robot": ["bench", "--robot", "go7"],
     "bench with too few ticks": ["bench", "--ticks", "9"],
     "bench of unknown form": ["bench", "--form", "dense"],
@@ -210,7 +221,7 @@ def test_gains_option_changes_only_the_gains_in_the_file(monkeypatch, tmp_path):
     own = surefoot.Gains()
     own.foot_kd = 33.0
     robot = SimpleNamespace(config=SimpleNamespace(gains=own))
-    monkeypatch.setattr("surefoot.cli.stand.build_robot", lambda _: robot)
+    monkeypatch.setattr("surefoot.cli.simulation_arguments.build_robot", lambda _: robot)
     (tmp_path / "gains.toml").write_text("foot_kp = 90.0")
     gains = read_settings(arguments.parse_arguments(["stand", "--gains", "gains.toml"])).gains
     assert (gains.foot_kp, gains.foot_kd) == (90.0, 33.0)

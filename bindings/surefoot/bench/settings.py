@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from surefoot._core import Error, QpForm
 from surefoot.bench.problems import SCENARIOS
 from surefoot.robot.description import RobotDescription
-from surefoot.stand.settings import check_rate
+from surefoot.stand.simulation_settings import check_rate
 
 # Chosen: 20 of these ticks lie above the 99.9th percentile, enough to estimate this percentile.
 DEFAULT_TICKS = 20_000

@@ -25,6 +25,8 @@ from surefoot.cli.tables import list_gains
 from surefoot.cli.tune import add_tune_options
 from surefoot.cli.virtual_robot import robot
 from surefoot.cli.virtual_robot_options import add_virtual_robot_options
+from surefoot.cli.walk import walk
+from surefoot.cli.walk_options import add_walk_options
 from surefoot.robot.robot_toml import suggest
 
 
@@ -81,6 +83,7 @@ def build_parser() -> argparse.ArgumentParser:
         return command
 
     add_stand_options(add("stand", stand, "simulate a robot that stands under torque control"))
+    add_walk_options(add("walk", walk, "simulate a robot that walks under torque control"))
     add_run_options(add("run", run, "control a robot over UDP with the SDK's frames"))
     text = "run the state estimator on a sensor log"
     add_estimate_options(add("estimate", estimate, text))

@@ -13,8 +13,8 @@ from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
 from surefoot.cli.output_files import check_json_path, write_json
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.stand import read_form
-from surefoot.cli.stand_options import add_form_option
+from surefoot.cli.simulation_arguments import read_form
+from surefoot.cli.simulation_options import add_form_option
 
 
 def add_bench_options(parser: argparse.ArgumentParser) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from surefoot._core import Error, QpForm
-from surefoot.cli.stand import read_form
+from surefoot.cli.simulation_arguments import read_form
 
 # Options without effect, by form of the command.
 _INEFFECTIVE_OPTIONS = {

@@ -14,7 +14,7 @@ from surefoot.cli.output_files import (
 )
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.stand import read_gains
+from surefoot.cli.simulation_arguments import read_gains
 from surefoot.estimate import read_log, run_estimator, summarise, write_trajectory
 from surefoot.estimate.summary_text import summary_text
 from surefoot.robot.loading import build_robot

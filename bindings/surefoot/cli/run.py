@@ -22,7 +22,7 @@ from surefoot.cli.run_log import LOG_TIME, check_log, write_run_log
 from surefoot.cli.run_monitor import supervise
 from surefoot.cli.run_operator import key_help
 from surefoot.cli.run_text import closing_text, lying_text, no_robot_text, run_summary
-from surefoot.cli.stand import read_form, read_gains
+from surefoot.cli.simulation_arguments import read_form, read_gains
 from surefoot.protocol import default_generation
 from surefoot.robot.loading import build_robot
 from surefoot.system.terminal import LinePrinter, has_keyboard

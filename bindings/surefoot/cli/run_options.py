@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from surefoot.cli.robot_choice import add_robot_options
-from surefoot.cli.stand_options import add_form_option
+from surefoot.cli.simulation_options import add_form_option
 
 _EPILOG = (
     "exit status: 0 the robot stood, and lay down on request, 1 no robot of the right generation "

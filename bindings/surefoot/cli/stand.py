@@ -6,7 +6,6 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot._core import Error, Gains, QpForm
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
 from surefoot.cli.output_files import (
@@ -16,12 +15,9 @@ from surefoot.cli.output_files import (
     write_json,
 )
 from surefoot.cli.progress import progress_bar
-from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.simulation_arguments import read_simulation
 from surefoot.estimate import write_log
 from surefoot.replay import recording_columns
-from surefoot.robot.gain_files import load_gains
-from surefoot.robot.loading import RobotDescription, build_robot
-from surefoot.robot.robot_toml import suggest
 
 if TYPE_CHECKING:
     from surefoot.stand import StandSettings
@@ -70,79 +66,7 @@ def stand(arguments: argparse.Namespace) -> int:
 
 def read_settings(arguments: argparse.Namespace) -> StandSettings:
     """Return the settings that the arguments give; raise Error if an argument is wrong."""
-    from surefoot.sim import PlantSettings
-    from surefoot.stand import StandSettings, parse_push, parse_reference
-    from surefoot.stand.settings import check_rate
+    from surefoot.stand import StandSettings, parse_reference
 
-    check_rate(arguments.rate)
-    robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # not None, because a default robot is given
-    slope, heading = _parse_numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
-    payload, *position = _parse_numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
-    plant = PlantSettings(
-        sensors=arguments.sensors,
-        foot_force=arguments.foot_force,
-        friction=arguments.friction,
-        soft_ground_sink=arguments.soft_ground,
-        slope_deg=slope,
-        slope_heading_deg=heading,
-        payload_kg=payload,
-        payload_position=(position[0], position[1], position[2]),
-        control_rate=arguments.rate,
-        joint_friction_scale=arguments.joint_friction_scale,
-        armature_scale=arguments.armature_scale,
-        backlash_deg=arguments.backlash_deg,
-        motor_lag=None if arguments.motor_lag_ms is None else arguments.motor_lag_ms / 1000.0,
-        extra_delay=arguments.delay_ms / 1000.0,
-        seed=arguments.seed,
-    )
-    return StandSettings(
-        robot=robot,
-        duration=arguments.duration,
-        plant=plant,
-        pushes=tuple(parse_push(text) for text in arguments.push),
-        references=tuple(parse_reference(text) for text in arguments.reference),
-        gains=read_gains(arguments.gains, robot),
-        motor_damping=arguments.motor_damping,
-        form=read_form(arguments.form),
-        predicted_delay=arguments.predict_ms / 1000.0,
-    )
-
-
-def read_form(text: str) -> QpForm:
-    """Return the QpForm that --form names; raise Error if the name is unknown."""
-    names = {form.name.lower(): form for form in QpForm}
-    if text not in names:
-        valid = ", ".join(names)
-        raise Error(f"--form: got '{text}'{suggest(text, names)}; valid names: {valid}")
-    return names[text]
-
-
-def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
-    """Return the robot's gains, changed to the values in `file`; None without a file.
-
-    Raises:
-        Error: The file cannot be read, or a gain is unknown or out of range.
-    """
-    if file is None:
-        return None
-    return load_gains(file, build_robot(robot).config.gains)
-
-
-def _parse_numbers(
-    option: str, text: str, form: str, counts: tuple[int, ...], size: int
-) -> tuple[float, ...]:
-    """Parse numbers separated by colons, and append zeros until there are `size` numbers.
-
-    `form` is the expected text and `counts` are the accepted numbers of values.
-
-    Raises:
-        Error: The text does not have this form.
-    """
-    try:
-        values = tuple(float(word) for word in text.split(":"))
-    except ValueError:
-        values = ()
-    if len(values) not in counts:
-        raise Error(f"{option}: got '{text}', expected {form}")
-    return values + (0.0,) * (size - len(values))
+    references = tuple(parse_reference(text) for text in arguments.reference)
+    return StandSettings(**read_simulation(arguments), references=references)

@@ -20,6 +20,7 @@ from surefoot.sim.hardware.motors import MotorLaw, Motors, command_law, damping_
 from surefoot.sim.hardware.sensors import Sensors
 from surefoot.sim.hardware.wire_format import MotorCommands, WireFormat
 from surefoot.sim.lip_push_limit import lip_push_limit
+from surefoot.sim.model.leg_collisions import leg_contacts, part_of_geoms
 from surefoot.sim.model.mujoco_handles import find_handles
 from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.physics.external_lift import Lift
@@ -84,6 +85,7 @@ class Plant:
         self._adapter = PinocchioAdapter(self.model, load_pinocchio_model(self.description))
         physics = make_physics(self.model, self.data, self.handles)
         dt = self.settings.physics_dt
+        self._parts = part_of_geoms(self.model, self.robot)
         self._physics_loop = PhysicsLoop(
             self.model, self.data, self.handles, self.robot, physics, dt
         )
@@ -127,6 +129,14 @@ class Plant:
     def push_force(self) -> tuple[Array, Array]:
         """Push force (3,) [N] in the last physics step, and its point (3,) [m], world axes."""
         return self._physics_loop.push_force
+
+    @property
+    def leg_contacts(self) -> frozenset[tuple[str, str]]:
+        """Pairs of a leg with another leg or "trunk" that touch now, such as ("FR", "FL").
+
+        Unless PlantSettings.leg_collisions is set, pairs that the SRDF disables are missing.
+        """
+        return leg_contacts(self.data, self._parts)
 
     def add_push(self, push: Push) -> None:
         """Schedule a push, in this run and in every run after a reset()."""

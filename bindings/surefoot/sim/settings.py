@@ -39,6 +39,8 @@ class PlantSettings:
             (sim/hardware/walking_errors.py). No effect on ideal sensors.
         soft_soles: Whether the feet have soft soles (SOLE_SINK); else they are rigid. The soles are
             part of the contact, so they act with ideal sensors too.
+        leg_collisions: Whether legs collide with each other and with the trunk even where the SRDF
+            disables it (sim/model/leg_collisions.py); Plant.leg_contacts lists the contacts.
         friction: Friction coefficient between foot and ground.
         soft_ground_sink: Depth to which a foot sinks under a quarter of the robot's own weight [m].
             0: rigid ground; 0.1 mm or more: a spring and a damper (sim/model/soft_ground.py).
@@ -67,6 +69,7 @@ class PlantSettings:
     foot_force: str | None = None
     walking_sensors: bool = False
     soft_soles: bool = False
+    leg_collisions: bool = False
     friction: float = 0.8  # feet of MuJoCo Menagerie's Unitree quadrupeds
     soft_ground_sink: float = 0.0
     slope_deg: float = 0.0
@@ -90,7 +93,7 @@ class PlantSettings:
 
     def __post_init__(self) -> None:
         check_one_of("sensors", self.sensors, _SENSORS)
-        for name in ("walking_sensors", "soft_soles"):
+        for name in ("walking_sensors", "soft_soles", "leg_collisions"):
             if not isinstance(getattr(self, name), bool):
                 raise Error(f"{name}: got {getattr(self, name)!r}, expected True or False")
         if self.foot_force is not None:

@@ -7,11 +7,26 @@ from typing import Any
 
 from surefoot.robot.gain_files import changed_gains
 from surefoot.stand.reference_request import AXES
+from surefoot.stand.simulation_log import SimulationLog
 from surefoot.stand.stand_log import StandLog
 
 
 def describe_conditions(log: StandLog) -> dict[str, Any]:
     """Return the summary fields of the group Conditions."""
+    return {
+        **describe_simulation(log),
+        "references": [
+            {
+                "time_s": request.time,
+                **{f"{axis}_{AXES[axis]}": value for axis, value in request.offsets.items()},
+            }
+            for request in log.settings.references
+        ],
+    }
+
+
+def describe_simulation(log: SimulationLog) -> dict[str, Any]:
+    """Return the conditions that runs of all controllers have: plant, pushes, options."""
     settings, plant = log.settings, log.settings.plant
     return {
         "version": importlib.metadata.version("surefoot"),
@@ -48,16 +63,9 @@ def describe_conditions(log: StandLog) -> dict[str, Any]:
             }
             for push, share in zip(log.pushes, log.push_shares, strict=True)
         ],
-        "references": [
-            {
-                "time_s": request.time,
-                **{f"{axis}_{AXES[axis]}": value for axis, value in request.offsets.items()},
-            }
-            for request in settings.references
-        ],
     }
 
 
-def _gains_changed(log: StandLog) -> dict[str, float]:
+def _gains_changed(log: SimulationLog) -> dict[str, float]:
     gains, default_gains = log.settings.gains, log.robot.config.gains
     return {} if gains is None else changed_gains(gains, default_gains)

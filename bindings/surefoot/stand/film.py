@@ -10,8 +10,8 @@ from PIL import Image, ImageDraw, ImageFont
 
 from surefoot._core import LowCmd
 from surefoot.sim import Plant, Renderer
+from surefoot.stand.simulation_log import SimulationLog
 from surefoot.stand.simulation_loop import Progress, make_plant
-from surefoot.stand.stand_log import StandLog
 
 # The numbers are chosen: the film has only a few MB, and a person can follow it.
 WIDTH, HEIGHT = 480, 360  # [px] size of the film
@@ -23,7 +23,7 @@ CAPTION_TIME = 0.8  # [s] time for which the caption of a push stays after the p
 _INK, _RED = (40, 46, 54), (190, 30, 30)
 
 
-def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> None:
+def write_film(log: SimulationLog, path: Path, progress: Progress | None = None) -> None:
     """Write a run as an animated WebP.
 
     The plant replays the run from its recorded commands: the same seed and the same commands give
@@ -65,7 +65,7 @@ def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) ->
     )
 
 
-def frame_ticks(log: StandLog) -> list[int]:
+def frame_ticks(log: SimulationLog) -> list[int]:
     """Return the ticks to render: evenly spaced ones, and up to 10 more while each push acts."""
     coarse = max(FRAME_PERIOD, log.duration / MAX_FRAMES)
     fine = [
@@ -79,7 +79,7 @@ def frame_ticks(log: StandLog) -> list[int]:
     return [int(k) for k in ticks if k < len(log.time)]
 
 
-def replay_run(log: StandLog) -> Iterator[tuple[int, Plant]]:
+def replay_run(log: SimulationLog) -> Iterator[tuple[int, Plant]]:
     """Replay a run from its commands.
 
     Yields the number of each tick, and the plant in its state before the step of that tick.
@@ -91,7 +91,7 @@ def replay_run(log: StandLog) -> Iterator[tuple[int, Plant]]:
         plant.step(LowCmd.from_bytes(command.tobytes()))
 
 
-def _frames(log: StandLog, drawn_ticks: set[int]) -> Iterator[Image.Image]:
+def _frames(log: SimulationLog, drawn_ticks: set[int]) -> Iterator[Image.Image]:
     renderer: Renderer | None = None
     try:
         for k, plant in replay_run(log):
@@ -104,7 +104,7 @@ def _frames(log: StandLog, drawn_ticks: set[int]) -> Iterator[Image.Image]:
             renderer.close()
 
 
-def _captioned_frame(pixels: np.ndarray, log: StandLog, time: float) -> Image.Image:
+def _captioned_frame(pixels: np.ndarray, log: SimulationLog, time: float) -> Image.Image:
     picture = Image.fromarray(pixels)
     draw = ImageDraw.Draw(picture)
     font = ImageFont.load_default(size=15)

@@ -8,7 +8,7 @@ import numpy as np
 
 from surefoot._core import Robot
 from surefoot.geometry.batch_rotations import matrices_from_xyzw, rpy_from_matrices
-from surefoot.stand.stand_log import Array
+from surefoot.stand.simulation_log import Array
 
 _FRONT_REAR_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # front feet FR FL minus rear feet RR RL
 

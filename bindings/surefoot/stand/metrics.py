@@ -13,6 +13,7 @@ from surefoot.stand.conditions import describe_conditions
 from surefoot.stand.foot_frame import angle_between, pose_from_feet, up_in_base, wrap_angle
 from surefoot.stand.requested_pose import reference_summary, requested_pose
 from surefoot.stand.settling import settle_time, settled_ticks
+from surefoot.stand.simulation_log import SimulationLog
 from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.stand.stand_log import StandLog
 
@@ -29,8 +30,8 @@ def summarise(log: StandLog) -> dict[str, Any]:
         _pose_errors(log),
         reference_summary(log),
         _stillness(log),
-        _effort(log),
-        _estimator(log),
+        describe_effort(log),
+        describe_estimator(log),
         _controller_ticks(log),
     )
     return {name: json_value(value) for part in parts for name, value in part.items()}
@@ -73,14 +74,16 @@ def _stillness(log: StandLog) -> dict[str, Any]:
     }
 
 
-def _effort(log: StandLog) -> dict[str, Any]:
+def describe_effort(log: SimulationLog) -> dict[str, Any]:
+    """Return the summary fields of the group Effort."""
     return {
         "peak_torque_ratio": np.max(np.abs(log.tau) / log.robot.config.tau_max),
         "peak_power_w": log.power.max(),
     }
 
 
-def _estimator(log: StandLog) -> dict[str, Any]:
+def describe_estimator(log: SimulationLog) -> dict[str, Any]:
+    """Return the summary fields of the group Estimator."""
     error = log.v_estimated[:, :3] - log.v_true[:, :3]
     tilt = angle_between(up_in_base(log.q_estimated), up_in_base(log.q_true))
     return {

@@ -21,19 +21,20 @@ from surefoot.reports.plots import (
 )
 from surefoot.stand.foot_frame import foot_positions, pose_from_feet
 from surefoot.stand.requested_pose import requested_pose
+from surefoot.stand.simulation_log import SimulationLog
 from surefoot.stand.stand_log import StandLog
 
 LEG_TITLES = ("front right", "front left", "rear right", "rear left")
 JOINTS = ("hip", "thigh", "calf")
 
 
-def shade_pushes(ax: Axes, log: StandLog) -> None:
+def shade_pushes(ax: Axes, log: SimulationLog) -> None:
     """Shade the time during which each push acts."""
     for push in log.pushes:
         ax.axvspan(push.time, push.time + push.duration, color=RED, alpha=0.25, lw=0)
 
 
-def finish_figure(figure: Figure, axes: list[list[Axes]], log: StandLog) -> None:
+def finish_figure(figure: Figure, axes: list[list[Axes]], log: SimulationLog) -> None:
     """Label the time axis and draw one legend above all plots."""
     finish_time_axis(figure, axes, log.duration)
 
@@ -61,7 +62,7 @@ def draw_pose(log: StandLog) -> Figure:
     return figure
 
 
-def draw_torques(log: StandLog) -> Figure:
+def draw_torques(log: SimulationLog) -> Figure:
     """Plot the true torques of each leg, with the torque limits of its motors."""
     figure, axes = subplot_grid(2, 2, 4.6)
     for leg, ax in enumerate(chain.from_iterable(axes)):
@@ -78,7 +79,7 @@ def draw_torques(log: StandLog) -> Figure:
     return figure
 
 
-def draw_contacts(log: StandLog) -> Figure:
+def draw_contacts(log: SimulationLog) -> Figure:
     """Plot the true vertical force and the estimated contact confidence of each foot."""
     figure, axes = subplot_grid(2, 2, 4.6)
     max_force = 1.15 * max(1.0, float(log.forces[:, 2].max()))
@@ -100,7 +101,7 @@ def draw_contacts(log: StandLog) -> Figure:
     return figure
 
 
-def draw_power(log: StandLog) -> Figure:
+def draw_power(log: SimulationLog) -> Figure:
     """Plot the power: the sum over the motors of the absolute product of torque and velocity."""
     figure, axes = subplot_grid(1, 1, 2.4)
     ax = axes[0][0]
@@ -113,7 +114,7 @@ def draw_power(log: StandLog) -> Figure:
     return figure
 
 
-def draw_ticks(log: StandLog) -> Figure:
+def draw_ticks(log: SimulationLog) -> Figure:
     """Plot a histogram of tick times in logarithmic bins, with percentiles."""
     figure, axes = subplot_grid(1, 1, 2.6)
     ax = axes[0][0]

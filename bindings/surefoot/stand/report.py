@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from surefoot.reports.plots import draw_plots
+from surefoot.reports.plots import Plot, draw_plots
 from surefoot.stand.film import write_film
 from surefoot.stand.plots import PLOTS
 from surefoot.stand.report_html import render_page
+from surefoot.stand.simulation_log import SimulationLog
 from surefoot.stand.simulation_loop import Progress
 from surefoot.stand.stand_log import StandLog
 
 FILM = "film.webp"
+
+Log = TypeVar("Log", bound=SimulationLog)
+Page = Callable[[str | None, str | None], str]
+"""Function that returns a report's page from the film's file name and the reason for no film."""
 
 
 def write_report(
@@ -25,10 +30,7 @@ def write_report(
     command: Sequence[str],
     progress: Progress | None = None,
 ) -> Path:
-    """Write the report and return the path of its page.
-
-    Writes index.html, film.webp, the plots and summary.json. If rendering the film fails, the page
-    shows the reason instead of the film.
+    """Write the report of a stand and return the path of its page.
 
     Args:
         log: Log of the run.
@@ -37,18 +39,44 @@ def write_report(
         command: Words of the command line that started the run; the page shows them.
         progress: Function that is called after every frame of the film.
     """
+
+    def page(film: str | None, film_error: str | None) -> str:
+        return render_page(summary, shlex.join(command), film, film_error)
+
+    return write_folder(log, summary, folder, PLOTS, page, progress)
+
+
+def write_folder(
+    log: Log,
+    summary: dict[str, Any],
+    folder: Path,
+    plots: Iterable[Plot[Log]],
+    page: Page,
+    progress: Progress | None = None,
+) -> Path:
+    """Write index.html, film.webp, the plots and summary.json; return the path of the page.
+
+    If rendering the film fails, the page shows the reason instead of the film.
+
+    Args:
+        log: Log of the run.
+        summary: Summary of this run.
+        folder: Target folder; created if missing.
+        plots: The plots.
+        page: Function that returns the page.
+        progress: Function that is called after every frame of the film.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
     (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
-    draw_plots(PLOTS, log, folder)
+    draw_plots(plots, log, folder)
     film_error = _try_film(log, folder / FILM, progress)
-    page = folder / "index.html"
-    film = FILM if film_error is None else None
-    page.write_text(render_page(summary, shlex.join(command), film, film_error), encoding="utf-8")
-    return page
+    path = folder / "index.html"
+    path.write_text(page(FILM if film_error is None else None, film_error), encoding="utf-8")
+    return path
 
 
-def _try_film(log: StandLog, path: Path, progress: Progress | None) -> str | None:
+def _try_film(log: SimulationLog, path: Path, progress: Progress | None) -> str | None:
     """Write the film; return None, or the reason of the failure as text."""
     try:
         write_film(log, path, progress)

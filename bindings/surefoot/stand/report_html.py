@@ -42,7 +42,7 @@ def render_page(
 {pushes}{requested}
 <pre>{escape(command)}</pre>
 <div class="top">
-{_film(film, film_error)}
+{film_html(film, film_error)}
 <div class="tiles">{_tiles(summary)}</div>
 </div>
 {plots_html(PLOTS)}
@@ -55,7 +55,8 @@ def _status_mark(s: dict[str, Any]) -> str:
     return f'<span class="mark {kind}"></span>'
 
 
-def _film(film: str | None, film_error: str | None) -> str:
+def film_html(film: str | None, film_error: str | None) -> str:
+    """Return the film as HTML, or the reason why there is none."""
     if film is None:
         return f'<div class="card">{escape(film_error or "No film.")}</div>'
     text = "Film of the run; green arrows: foot forces; red arrows: pushes"

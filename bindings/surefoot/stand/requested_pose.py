@@ -15,7 +15,8 @@ from surefoot.stand.foot_frame import (
     rotation_angle,
 )
 from surefoot.stand.reference_request import AXES, first_tick, reference_schedule, to_si
-from surefoot.stand.stand_log import Array, StandLog
+from surefoot.stand.simulation_log import Array
+from surefoot.stand.stand_log import StandLog
 
 # [s] Window at the end of the run in which reach_limit() looks for a limit. Equal to kLimitHoldTime
 # in body_motion.cpp, the time for which the controller reports a limit.

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from surefoot.stand.stand_log import Array
+from surefoot.stand.simulation_log import Array
 
 # [Hz] Lower bound of the high-frequency band. Chosen: above the frequencies of body motion (at most
 # 7.1 Hz), and below half of the control rate (250 Hz).

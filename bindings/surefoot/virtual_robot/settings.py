@@ -9,7 +9,7 @@ from surefoot._core import Error
 from surefoot.robot.loading import RobotDescription
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.settings import PlantSettings
-from surefoot.stand.settings import check_rate
+from surefoot.stand.simulation_settings import check_rate
 from surefoot.virtual_robot.joint_shaker import Shake
 from surefoot.virtual_robot.remote import RemoteEvent
 

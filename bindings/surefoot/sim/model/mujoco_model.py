@@ -11,6 +11,7 @@ from surefoot.robot.loading import RobotDescription, per_motor
 from surefoot.robot.srdf import read_disabled_collisions
 from surefoot.robot.urdf import read_urdf
 from surefoot.sim.model.backlash import add_backlash
+from surefoot.sim.model.leg_collisions import exclude_overlapping_pairs
 from surefoot.sim.model.moving_ground import BLOCK, PLATFORM, add_block, place_block
 from surefoot.sim.model.scene import (
     BODY_FRICTION,
@@ -54,7 +55,8 @@ def build_model(
     add_backlash(spec, robot, settings)
     set_contacts(spec, robot, settings)
     add_soft_contacts(spec, robot, settings)
-    exclude_collision_pairs(spec, description)
+    if not settings.leg_collisions:
+        exclude_collision_pairs(spec, description)
     apply_trunk_flaws(spec, settings)
     add_payload(spec, settings)
     add_block(spec, settings)
@@ -63,13 +65,19 @@ def build_model(
         from surefoot.sim.model.visuals import add_visuals
 
         add_visuals(spec, description)
-    try:
-        model = spec.compile()
-    except ValueError as problem:
-        raise Error(f"URDF '{description.urdf}': MuJoCo rejects it: {one_line(problem)}") from None
+    model = _compile(spec, description)
+    if settings.leg_collisions and exclude_overlapping_pairs(spec, model, robot):
+        model = _compile(spec, description)
     set_contact_stiffness(model, robot, settings)
     place_block(model, robot, settings)
     return model
+
+
+def _compile(spec: mujoco.MjSpec, description: RobotDescription) -> mujoco.MjModel:
+    try:
+        return spec.compile()
+    except ValueError as problem:
+        raise Error(f"URDF '{description.urdf}': MuJoCo rejects it: {one_line(problem)}") from None
 
 
 def set_joints(

@@ -1,0 +1,85 @@
+"""surefoot walk: simulates a walking robot and writes the results."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from surefoot._core import Error, Gait
+from surefoot.cli.graphics import choose_graphics
+from surefoot.cli.missing_module import missing_module
+from surefoot.cli.output_files import check_json_path, check_report_folder, write_json
+from surefoot.cli.progress import progress_bar
+from surefoot.cli.simulation_arguments import read_simulation
+from surefoot.cli.stand import FELL
+from surefoot.robot.robot_toml import suggest
+
+if TYPE_CHECKING:
+    from surefoot.walk import WalkSettings
+
+
+def walk(arguments: argparse.Namespace) -> int:
+    """Simulate the robot, print a summary and write the requested files.
+
+    Returns:
+        Exit status: 0 if the robot did not fall, 3 if it fell.
+
+    Raises:
+        Error: A wrong argument.
+    """
+    choose_graphics(pictures=arguments.report is not None)
+    try:
+        from surefoot.walk import run_walk, summarise
+        from surefoot.walk.summary_text import summary_text
+    except ModuleNotFoundError as problem:
+        raise missing_module("walk", problem) from None
+    settings = read_settings(arguments)
+    check_json_path(arguments.json)
+    check_report_folder(arguments.report, "walk", "surefoot.walk.report")
+    progress = progress_bar()
+    log = run_walk(settings, progress)
+    summary = summarise(log)
+    write_json(arguments.json, summary)
+    if arguments.report is not None:
+        from surefoot.walk.report import write_report
+
+        command = ["surefoot", *arguments.argv]
+        page = write_report(log, summary, Path(arguments.report), command, progress)
+    if arguments.json != "-":
+        print(summary_text(summary))
+        if arguments.report is not None:
+            print(f"  report    {page}")
+    return FELL if log.fell else 0
+
+
+def read_settings(arguments: argparse.Namespace) -> WalkSettings:
+    """Return the settings that the arguments give; raise Error if an argument is wrong."""
+    from surefoot.walk import WalkSettings, parse_velocity
+
+    if arguments.slope_heading is not None:
+        if ":" in arguments.slope:
+            raise Error(
+                f"--slope-heading: got {arguments.slope_heading:g} and --slope {arguments.slope}, "
+                "expected one direction of ascent"
+            )
+        arguments.slope = f"{arguments.slope}:{arguments.slope_heading}"
+    simulation = read_simulation(arguments)
+    simulation["plant"] = replace(
+        simulation["plant"],
+        walking_sensors=True,
+        soft_soles=not arguments.rigid_soles,
+        leg_collisions=True,
+    )
+    velocities = tuple(parse_velocity(text) for text in arguments.velocity)
+    return WalkSettings(**simulation, velocities=velocities, gait=read_gait(arguments.gait))
+
+
+def read_gait(text: str) -> Gait:
+    """Return the Gait that --gait names; raise Error if the name is unknown."""
+    names = {gait.name.lower(): gait for gait in Gait}
+    if text not in names:
+        valid = ", ".join(names)
+        raise Error(f"--gait: got '{text}'{suggest(text, names)}; valid names: {valid}")
+    return names[text]

@@ -1,0 +1,121 @@
+"""Name, unit, meaning and group of each summary field, for report, documentation and tests."""
+
+from __future__ import annotations
+
+from surefoot.reports.summary_field import Field
+from surefoot.stand.summary_fields import FIELDS as STAND_FIELDS
+
+_WALK_CONDITIONS = (
+    ("gait", "", "auto: stand at velocity 0, trot otherwise; trot"),
+    ("walking_sensors", "", "true: real sensors with the errors that walking adds"),
+    ("soft_soles", "", "true: soft soles, false: rigid ones"),
+    ("leg_collisions", "", "true: legs collide even where the SRDF disables it"),
+)
+_GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
+    "Outcome": (
+        ("fell", "", "trunk or leg on the ground, or tilted by more than 60 deg"),
+        ("fall_time_s", "s", "time of the fall; null if it did not fall"),
+        (
+            "stands_at_end",
+            "",
+            "last 0.5 s: no steps, four loaded feet, base slower than 0.05 m/s",
+        ),
+        (
+            "stance_error_mm",
+            "mm",
+            "at the end: largest distance of a foot from its place in the standing pose, relative "
+            "to mean and heading of the feet",
+        ),
+        (
+            "path_error_m",
+            "m",
+            "at the end: distance of the centre of mass from the integrated command, which has "
+            "neither acceleration nor pushes",
+        ),
+        ("heading_error_deg", "deg", "at the end: difference from the integrated command"),
+    ),
+    "Velocity, worst command": (
+        (
+            "velocity_mean_error",
+            "m/s, m/s, rad/s",
+            "vx, vy of the centre of mass and yaw rate in the heading frame: absolute value of the "
+            "mean error against the clamped command, from 1 s after a command to the next one; "
+            "each axis has its worst command",
+        ),
+        ("velocity_rmse", "m/s, m/s, rad/s", "RMS of the same error"),
+        ("roll_pitch_rms_deg", "deg", "RMS of roll and of pitch relative to the ground plane"),
+        (
+            "cost_of_transport",
+            "",
+            "sum of the positive joint powers / (weight x speed); null below 0.1 m/s",
+        ),
+        ("torque_hf_rms", "N.m", "RMS of the true torque above 30 Hz, of the worst joint"),
+        (
+            "commands",
+            "",
+            "the same figures for each command, with its time [s], the velocity as requested and "
+            "as clamped, and the limit: none, forward, sideways or turn",
+        ),
+    ),
+    "Feet": (
+        ("steps", "", "touchdowns of all feet"),
+        (
+            "slip_mm_per_step",
+            "mm",
+            "mean path of a foot's contact point along the ground while its load exceeds 5 % of "
+            "the weight; rolling of the foot does not count; null without steps",
+        ),
+        (
+            "touchdown_force_mg",
+            "m g",
+            "largest normal force of a foot within 30 ms after its touchdown, at the ends of ticks",
+        ),
+        (
+            "leg_contacts",
+            "",
+            "how often a leg began to touch another leg or the trunk, at the ends of ticks",
+        ),
+    ),
+}
+_LOOP = (
+    ("ticks", "", "calls of the controller's update()"),
+    ("failed_ticks", "", "ticks that ended at a fallback level: not solved at the first attempt"),
+    ("fallback_levels", "", "number of ticks that ended at each FallbackLevel"),
+    (
+        "saturated_ticks",
+        "",
+        "ticks whose torques are usable but were clipped to the motor limits",
+    ),
+    (
+        "torque_mode_only",
+        "",
+        "true if all 12 motors had mode 0x0A, Kp = Kd = 0, q = PosStopF, dq = VelStopF in "
+        "every command",
+    ),
+    ("iterations", "", "iterations of the QP solver: mean and max"),
+    (
+        "tick_us",
+        "us",
+        "CPU time of update() as called from Python: p50, p90, p99, p99.9, max",
+    ),
+)
+
+
+def _fields(group: str, rows: tuple[tuple[str, str, str], ...]) -> tuple[Field, ...]:
+    return tuple(Field(name, unit, meaning, group) for name, unit, meaning in rows)
+
+
+def _stand_fields(group: str) -> tuple[Field, ...]:
+    """Return the fields of a group that a stand has too; only a stand has references."""
+    return tuple(f for f in STAND_FIELDS if f.group == group and f.name != "references")
+
+
+FIELDS: tuple[Field, ...] = (
+    *_stand_fields("Conditions"),
+    *_fields("Conditions", _WALK_CONDITIONS),
+    *(field for group, rows in _GROUPS.items() for field in _fields(group, rows)),
+    *_stand_fields("Effort"),
+    *_stand_fields("Estimator"),
+    *_fields("Loop", _LOOP),
+)
+"""All fields that surefoot.walk.summarise() returns, in the same order."""
