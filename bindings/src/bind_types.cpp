@@ -167,10 +167,11 @@ void bind_reference(nb::module_& m) {
           },
           "Orientation of the base, quaternion x y z w as in ``RobotState.q[3:7]``; a copy.\n\n"
           "Assignment raises Error unless the quaternion has unit length.")
-      .def_rw("stepping", &Reference::stepping,
-              "True: feet are about to step, so the capture point may leave the support polygon.\n\n"
-              "The QP then has no priorities at support edges, and the tick predicts the state\n"
-              "over the delay.")
+      .def_rw(
+          "stepping", &Reference::stepping,
+          "True: feet are about to step, so the capture point may leave the support polygon.\n\n"
+          "The QP then has no priorities at support edges, and the tick predicts the state\n"
+          "over the delay.")
       .def_rw("w_world_base", &Reference::w_world_base,
               "Angular velocity of the base [rad/s], world axes, shape (3,).")
       .def_rw("alpha_world_base", &Reference::alpha_world_base,

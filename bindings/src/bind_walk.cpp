@@ -49,8 +49,8 @@ void bind_options(nb::module_& m) {
           [](WalkOptions* o, FieldArgument<StandOptions> tick,
              FieldArgument<double> velocity_timeout) {
             constexpr const char* kType = "WalkOptions";
-            new (o) WalkOptions{tick.to(kType, "tick"),
-                                velocity_timeout.to(kType, "velocity_timeout")};
+            new (o)
+                WalkOptions{tick.to(kType, "tick"), velocity_timeout.to(kType, "velocity_timeout")};
           },
           "tick"_a = StandOptions(), "velocity_timeout"_a = WalkOptions().velocity_timeout,
           "Create options; the arguments are the attributes.")

@@ -15,6 +15,7 @@
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/supervisor.hpp"
+#include "surefoot/walk_controller.hpp"
 #include "ticks/memory_counters.hpp"
 #include "wbc/qp_solver.hpp"
 
@@ -140,6 +141,39 @@ PlannedCounts run_planner(const Robot& robot) {
     if (controller.status() != Status::kDamping) continue;
     ++tick_counts.damping;
     controller.reset();
+  }
+  tick_counts.allocations = bench::heap_allocations() - allocations_before;
+  tick_counts.exceptions = exceptions - exceptions_before;
+  return tick_counts;
+}
+
+struct WalkCounts {
+  long standing = 0, walking = 0, stops = 0, swing_feet = 0, unusable = 0;
+  long allocations = 0, exceptions = 0;
+};
+
+// Let the robot stand, walk and stop in turn. Its samples are those of a robot that does not move;
+// the swing feet show no load.
+WalkCounts run_walk(const Robot& robot) {
+  WalkController controller(robot);
+  LowState report = resting_sample(robot, 0);
+  WalkCounts tick_counts;
+  const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
+  for (int tick = 0; tick < 25000; ++tick) {
+    const bool was_walking = controller.walking();
+    if (tick % 2500 >= 500 && tick % 2500 < 1500) controller.set_velocity({0.5, 0.0, 0.2});
+    if (tick % 2500 == 1700) controller.set_velocity({std::nan(""), 0.0, 0.0});
+    report.tick += 2;
+    for (int leg = 0; leg < kLegs; ++leg) {
+      const bool in_air = controller.planned_loads()[leg] == 0.0;
+      report.footForceEst[leg] = static_cast<std::int16_t>(in_air ? 0 : 30 + tick % 2);
+    }
+    controller.update(report);
+    tick_counts.unusable += !is_usable(controller.status());
+    ++(controller.walking() ? tick_counts.walking : tick_counts.standing);
+    tick_counts.stops += was_walking && !controller.walking();
+    for (const FootReference& foot : controller.reference().feet)
+      tick_counts.swing_feet += !foot.stance;
   }
   tick_counts.allocations = bench::heap_allocations() - allocations_before;
   tick_counts.exceptions = exceptions - exceptions_before;
@@ -277,6 +311,15 @@ int main() {
       planned.damping);
   good = good && planned.solved > 1000 && planned.bad_references > 10 && planned.damping > 4 &&
          planned.allocations == 0 && planned.exceptions == 0;
+  const WalkCounts walk = run_walk(robot);
+  std::printf(
+      "walk, 25000 ticks: %ld allocations, %ld exceptions; standing %ld, walking %ld, stops %ld, "
+      "swing feet %ld, unusable ticks %ld\n",
+      walk.allocations, walk.exceptions, walk.standing, walk.walking, walk.stops, walk.swing_feet,
+      walk.unusable);
+  good = good && walk.standing > 5000 && walk.walking > 5000 && walk.stops >= 10 &&
+         walk.swing_feet > 5000 && walk.unusable == 0 && walk.allocations == 0 &&
+         walk.exceptions == 0;
   const SupervisedCounts s = run_supervisor(robot);
   std::printf(
       "supervised, 25000 ticks: %ld allocations, %ld exceptions; passive %ld, rise %ld, "

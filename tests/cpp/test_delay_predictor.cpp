@@ -121,8 +121,22 @@ BOOST_FIXTURE_TEST_CASE(reset_clears_pending_commands, DelayPredictorFixture) {
   for (int k = 0; k < 10; ++k) send(a, kDt);
   predictor.reset();
   BOOST_TEST((predictor.predict(state, kDt).v - state.v).norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(horizon_is_the_delay_or_without_one_two_periods, DelayPredictorFixture) {
   BOOST_TEST(predictor.horizon(kDt) == kDelay);
-  BOOST_TEST(DelayPredictor(18, 0.0).horizon(kDt) == 2.0 * kDt);
+  BOOST_TEST(predictor.horizon(2.0 * kDt) == kDelay);
+  DelayPredictor undelayed(18, 0.0);
+  BOOST_TEST(undelayed.horizon(kDt) == 2.0 * kDt);
+  state.v.setOnes();
+  for (int k = 0; k < 5; ++k) {
+    undelayed.record(a, 1.0, Vector12::Zero(), Vector3::Zero());
+    undelayed.advance(kDt);
+  }
+  const RobotState& predicted = undelayed.predict(state, kDt);
+  BOOST_TEST((predicted.v - state.v - 2.0 * kDt * a).norm() < 1e-12);
+  const Eigen::VectorXd step = 2.0 * kDt * (state.v + kDt * a);
+  BOOST_TEST((predicted.q.tail(12) - state.q.tail(12) - step.tail(12)).norm() < 1e-12);
 }
 
 // Far from standing, the prediction agrees with Pinocchio's integration to second order.

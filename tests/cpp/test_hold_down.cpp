@@ -46,6 +46,15 @@ BOOST_FIXTURE_TEST_CASE(capture_margin_does_not_depend_on_heading, HoldDown) {
   }
 }
 
+// The next step catches the body, so the capture point may be anywhere.
+BOOST_FIXTURE_TEST_CASE(stepping_reference_has_no_support_edge, HoldDown) {
+  set_com_velocity(Vector3(0.0, 5.0, 0.0));
+  BOOST_TEST(capture_margin(dynamics, reference) < 0.0);
+  reference.stepping = true;
+  BOOST_TEST(std::isinf(capture_margin(dynamics, reference)));
+  BOOST_TEST(edge_fade(gains, dynamics, reference) == 1.0);
+}
+
 BOOST_FIXTURE_TEST_CASE(swing_feet_and_lifted_feet_get_no_hold_down_force, HoldDown) {
   set_com_velocity(Vector3(0.25, -0.2, 0.0));
   gains.edge_margin = 0.03;

@@ -4,6 +4,7 @@
 #include "random_reference.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "tasks/foot_loads.hpp"
+#include "wbc/hold_down.hpp"
 #include "wbc/joint_limits.hpp"
 
 using namespace surefoot;
@@ -16,7 +17,9 @@ struct LimitsFixture {
   Gains gains;
   JointLimits limits{kMotors};
   RobotState state = standing_state(robot);
-  void update() { joint_limits(robot.config(), joints, gains, false, Vector12::Ones(), state, limits); }
+  void update(bool stepping = false) {
+    joint_limits(robot.config(), joints, gains, stepping, Vector12::Ones(), state, limits);
+  }
 };
 
 }  // namespace
@@ -100,6 +103,18 @@ BOOST_FIXTURE_TEST_CASE(joint_beyond_its_position_or_speed_limit_is_driven_back,
 
 // The whole controller on an ideal robot: the body is requested too low, and the knees stop in
 // time.
+BOOST_FIXTURE_TEST_CASE(stepping_robot_has_its_own_joint_limit_rate, LimitsFixture) {
+  state.v[6] = 1.0;
+  update(true);
+  const JointLimits stepping = limits;
+  gains.joint_limit_rate = gains.walk_joint_limit_rate;
+  update();
+  BOOST_TEST((stepping.a_upper == limits.a_upper && stepping.a_lower == limits.a_lower));
+  gains = Gains();
+  update();
+  BOOST_TEST(stepping.a_upper[0] > 2.0 * limits.a_upper[0]);
+}
+
 BOOST_AUTO_TEST_CASE(body_requested_too_low_keeps_joints_inside_their_limits) {
   const Robot robot = tight_limit_quadruped(30.0, 0.35);
   const RobotConfig& c = robot.config();
@@ -141,6 +156,25 @@ BOOST_AUTO_TEST_CASE(foot_force_limit_follows_contact_confidence_and_load) {
   BOOST_TEST(shares[FR_] == 1.0);
   BOOST_TEST(shares[FL_] == g.share_lost_contact);
   BOOST_TEST(shares[RR_] == 0.0);
+}
+
+// A planner that knows when a foot lands need not wait for its contact confidence.
+BOOST_AUTO_TEST_CASE(min_contact_raises_the_force_limits_of_a_planned_foot) {
+  const Gains g;
+  Reference reference;
+  const Eigen::Vector4d contact(0.0, 0.5, 0.9, 0.0);
+  for (FootReference& foot : reference.feet) foot.min_contact = 0.6;
+  reference.feet[RL_].stance = false;
+  const Eigen::Vector4d assumed(0.6, 0.6, 0.9, 0.0);
+  const Eigen::Vector4d limits = normal_force_limits(g, 100.0, contact, reference);
+  const Eigen::Vector4d shares = load_shares(g, contact, reference);
+  const Eigen::Vector4d hold_down = hold_down_forces(g, 100.0, 1.0, contact, reference);
+  for (FootReference& foot : reference.feet) foot.min_contact = 0.0;
+  BOOST_TEST((limits - normal_force_limits(g, 100.0, assumed, reference)).norm() == 0.0);
+  BOOST_TEST((shares - load_shares(g, assumed, reference)).norm() == 0.0);
+  BOOST_TEST((hold_down - hold_down_forces(g, 100.0, 1.0, assumed, reference)).norm() == 0.0);
+  BOOST_TEST(limits[FR_] > 2.0 * normal_force_limits(g, 100.0, contact, reference)[FR_]);
+  BOOST_TEST(limits[RL_] == 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -119,7 +119,8 @@ BOOST_FIXTURE_TEST_CASE(foot_that_is_to_step_has_no_stance_reference, CapturePoi
   for (const double beyond : {-0.01, 0.01}) {
     move_capture_point_right(beyond);
     planner.reset();
-    planner.plan(make_planner_input(state, gains, dynamics, 0.002, 0.0, robot.mass(), -1), reference);
+    planner.plan(make_planner_input(state, gains, dynamics, 0.002, 0.0, robot.mass(), -1),
+                 reference);
     for (int leg = 0; leg < kLegs; ++leg) {
       BOOST_TEST(reference.feet[leg].stance == (beyond < 0.0 || leg != RR_));
     }

@@ -27,9 +27,10 @@ struct StandOptions {
   /// 0.03 s.
   ///
   /// At 0 nothing is predicted for a standing robot. For a stepping robot (Reference::stepping) two
-  /// periods are: swing feet are too fast to neglect them. The estimator then assumes that commands and samples each take one
-  /// period over the SDK's link. So it compares the sample of tick k, measured at tick k - 1, with
-  /// the command of tick k - 3, which acted from tick k - 2 to tick k - 1.
+  /// periods are: swing feet are too fast to neglect them. The estimator then assumes that commands
+  /// and samples each take one period over the SDK's link. So it compares the sample of tick k,
+  /// measured at tick k - 1, with the command of tick k - 3, which acted from tick k - 2 to tick k
+  /// - 1.
   double delay = 0.0;
   QpForm form = QpForm::kAuto;  ///< form of the whole-body QP
   /// [W] Largest power of a command, sum |tau dq| with the motors' damping included, at the joint

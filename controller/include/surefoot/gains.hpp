@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-/// Parameters of standing and walking that are tuned per robot. Constants in the source are the same for all
-/// robots; each says where its value comes from.
+/// Parameters of standing and walking that are tuned per robot. Constants in the source are the
+/// same for all robots; each says where its value comes from.
 ///
 /// gain_table() has unit, range and full meaning of every gain. The values here are the library's
 /// defaults; RobotConfig::gains has the values of one robot. Stiffness and damping are per unit of
@@ -80,27 +80,27 @@ struct Gains {
   double reach_support_margin = 0.06;
   /// [m] Distance of a foot below its hip axis at which the body reference stops.
   double reach_foot_depth = 0.07;
-  // Walking: gait and swing feet. Unit h: height of the centre of mass above the feet in the standing
-  // pose; g: gravity.
+  // Walking: gait and swing feet. Unit h: height of the centre of mass above the feet in the
+  // standing pose; g: gravity.
   double gait_period = 2.4;  ///< [sqrt(h/g)] longest period of the gait
   double gait_duty = 0.5;    ///< [1] greatest share of the period in which a foot stands
   /// [h] Longest distance that the body moves while a foot stands; faster, the period shortens.
   double gait_stance_travel = 0.9;
   /// [h corner_speed] Greatest speed of a swing foot past the body; faster, the duty falls.
   double gait_swing_speed = 1.0;
-  /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the capture
-  /// point.
+  /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the
+  /// capture point.
   double foothold_feedback = 0.7;
-  double swing_height = 0.15;        ///< [h] height to which a swing foot rises
+  double swing_height = 0.15;         ///< [h] height to which a swing foot rises
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
-  double walk_acceleration = 0.2;       ///< [g] greatest acceleration of the commanded velocity
+  double walk_acceleration = 0.2;        ///< [g] greatest acceleration of the commanded velocity
   double walk_turn_acceleration = 0.25;  ///< [g/h] the same of the commanded yaw rate
-  double walk_speed_forward = 1.2;      ///< [sqrt(g h)] greatest commanded speed forward
-  double walk_speed_backward = 0.6;     ///< [sqrt(g h)] greatest commanded speed backward
-  double walk_speed_sideways = 0.47;    ///< [sqrt(g h)] greatest commanded speed sideways
-  double walk_turn_speed = 0.52;        ///< [sqrt(g/h)] greatest commanded yaw rate
+  double walk_speed_forward = 1.2;       ///< [sqrt(g h)] greatest commanded speed forward
+  double walk_speed_backward = 0.6;      ///< [sqrt(g h)] greatest commanded speed backward
+  double walk_speed_sideways = 0.47;     ///< [sqrt(g h)] greatest commanded speed sideways
+  double walk_turn_speed = 0.52;         ///< [sqrt(g/h)] greatest commanded yaw rate
   // Estimator: noise, contact detection, external wrench.
   double noise_gyroscope = 0.01;      ///< [rad/s] gyroscope noise until it has been measured
   double noise_accelerometer = 0.1;   ///< [m/s^2] accelerometer noise until it has been measured

@@ -15,16 +15,17 @@ struct PlannerInput {
   const Gains& gains;        ///< gains of this tick
   const Dynamics& dynamics;  ///< kinematics and dynamics at `state`; opaque outside the library
   double dt;                 ///< [s] time since the last good tick
-  /// [s] Time from `state` until the command of this tick acts, see StandOptions::delay. The QP of a
-  /// stepping robot uses the state predicted for that time, so its reference is planned for it too.
+  /// [s] Time from `state` until the command of this tick acts, see StandOptions::delay. The QP of
+  /// a stepping robot uses the state predicted for that time, so its reference is planned for it
+  /// too.
   double delay;
-  double mass;               ///< [kg] mass of the robot
-  Vector3 p_com;             ///< [m] centre of mass
-  Vector3 v_com;             ///< [m/s] velocity of the centre of mass
-  Matrix3 R_world_base;      ///< orientation of the base in the world
-  Vector3 w_world_base;      ///< [rad/s] angular velocity of the base, world axes
-  FeetMatrix p_feet;         ///< [m] contact points, FR FL RR RL
-  FeetMatrix v_feet;         ///< [m/s] velocities of the contact points, FR FL RR RL
+  double mass;           ///< [kg] mass of the robot
+  Vector3 p_com;         ///< [m] centre of mass
+  Vector3 v_com;         ///< [m/s] velocity of the centre of mass
+  Matrix3 R_world_base;  ///< orientation of the base in the world
+  Vector3 w_world_base;  ///< [rad/s] angular velocity of the base, world axes
+  FeetMatrix p_feet;     ///< [m] contact points, FR FL RR RL
+  FeetMatrix v_feet;     ///< [m/s] velocities of the contact points, FR FL RR RL
   /// Leg that was given up, 0 .. 3, or -1. The controller plans no load for its foot, whatever the
   /// planner writes.
   int lost_leg;

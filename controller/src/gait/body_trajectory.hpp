@@ -27,8 +27,8 @@ class BodyTrajectory {
 
   /// Begin at the measured state, at velocity 0.
   void start(const HorizontalMotion& measured, double height) noexcept;
-  void update(const Gains& gains, const WalkVelocity& command,
-              const HorizontalMotion& measured, double dt) noexcept;
+  void update(const Gains& gains, const WalkVelocity& command, const HorizontalMotion& measured,
+              double dt) noexcept;
   /// Write the body's part of the reference, `ahead` seconds later than this tick.
   void write(const GroundPlane& ground, double ahead, Reference& reference) const noexcept;
 
@@ -43,8 +43,8 @@ class BodyTrajectory {
   GaitSize size_;
   WalkVelocity velocity_;
   Eigen::Vector2d p_ = Eigen::Vector2d::Zero(), v_ = p_, a_ = p_;  // world axes
-  double yaw_ = 0.0;     // [rad]
-  double height_ = 0.0;  // [m] above the ground plane
+  double yaw_ = 0.0;                                               // [rad]
+  double height_ = 0.0;                                            // [m] above the ground plane
 };
 
 }  // namespace surefoot

@@ -10,10 +10,10 @@ namespace surefoot {
 
 /// What a foot does: the schedule of the clock, corrected by the contact confidence.
 enum class FootPhase {
-  kStance,      ///< scheduled to carry load, and in contact
-  kSwing,       ///< scheduled to swing, and in the air
-  kEarlyStance, ///< landed before its time
-  kLateSwing    ///< scheduled to carry load, and not in contact
+  kStance,       ///< scheduled to carry load, and in contact
+  kSwing,        ///< scheduled to swing, and in the air
+  kEarlyStance,  ///< landed before its time
+  kLateSwing     ///< scheduled to carry load, and not in contact
 };
 
 /// Phases and planned loads of all feet. Real-time: yes.
@@ -31,8 +31,8 @@ class FootContacts {
   }
   bool lifted_off(int leg) const noexcept { return lifted_off_[leg]; }  ///< in this tick
   bool landed(int leg) const noexcept { return landed_[leg]; }          ///< in this tick
-  bool lost(int leg) const noexcept { return lost_[leg]; }  ///< the ground was lost in this tick
-  double load(int leg) const noexcept { return load_[leg]; }            ///< planned, 0 .. 1
+  bool lost(int leg) const noexcept { return lost_[leg]; }    ///< the ground was lost in this tick
+  double load(int leg) const noexcept { return load_[leg]; }  ///< planned, 0 .. 1
   bool all_in_stance() const noexcept;
   /// Whether a foot that should carry load has not landed.
   bool late() const noexcept;

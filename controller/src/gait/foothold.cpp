@@ -14,14 +14,13 @@ constexpr double kMaxOffset = 0.83;
 
 }  // namespace
 
-Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size,
-                         const HorizontalMotion& measured,
+Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const HorizontalMotion& measured,
                          const BodyTrajectory& body, int leg, double time_left,
                          double stance_time) noexcept {
   const double turn = body.velocity().yaw_rate * (time_left + 0.5 * stance_time);
-  const Eigen::Vector2d hip = measured.p_com + time_left * measured.v_com +
-                              Eigen::Rotation2Dd(body.yaw() + turn) *
-                                  Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
+  const Eigen::Vector2d hip =
+      measured.p_com + time_left * measured.v_com +
+      Eigen::Rotation2Dd(body.yaw() + turn) * Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
   // The feet carry a body that accelerates by a from behind: the zero-moment point is at a h / g.
   Eigen::Vector2d offset = 0.5 * stance_time * body.v_world() +
                            gains.foothold_feedback * size.time * (measured.v_com - body.v_world()) -

@@ -7,13 +7,12 @@ namespace surefoot {
 
 /// Compute where a foot should land, world x and y [m]. Real-time: yes.
 ///
-/// At mid-stance of a steady walk the foot is under its hip, shifted against the acceleration of the
-/// trajectory. To this a distance is added in proportion to the velocity beyond that of the
+/// At mid-stance of a steady walk the foot is under its hip, shifted against the acceleration of
+/// the trajectory. To this a distance is added in proportion to the velocity beyond that of the
 /// trajectory (gain foothold_feedback), so that the step brakes what a push has added.
 /// @param time_left until touchdown [s]
 /// Sources: Raibert 1986, "Legged robots that balance"; Pratt et al. 2006 (capture point).
-Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size,
-                         const HorizontalMotion& measured,
+Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const HorizontalMotion& measured,
                          const BodyTrajectory& body, int leg, double time_left,
                          double stance_time) noexcept;
 

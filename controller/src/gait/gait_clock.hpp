@@ -9,8 +9,8 @@ namespace surefoot {
 
 /// Times of a gait. Leg i is in stance while its phase, frac(phase + offset[i]), is below duty.
 struct GaitTiming {
-  double period = 0.42;                                      ///< [s] of one cycle
-  double duty = 0.52;                                        ///< share of the period in stance
+  double period = 0.42;                                     ///< [s] of one cycle
+  double duty = 0.52;                                       ///< share of the period in stance
   std::array<double, kLegs> offset = {0.0, 0.5, 0.5, 0.0};  ///< FR FL RR RL
   double stance_time() const noexcept { return duty * period; }
   double swing_time() const noexcept { return (1.0 - duty) * period; }
@@ -29,20 +29,18 @@ class GaitClock {
   ///   cycle
   void advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept;
 
-  bool in_swing(int leg) const noexcept {
-    return phase_of(leg) >= timing_.duty && !grounded_[leg];
-  }
+  bool in_swing(int leg) const noexcept { return phase_of(leg) >= timing_.duty && !grounded_[leg]; }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
   double time_to_touchdown(int leg) const noexcept;  ///< [s] 0 in stance
-  double time_to_liftoff(int leg) const noexcept;  ///< [s] 0 in swing; a period if it stays
+  double time_to_liftoff(int leg) const noexcept;    ///< [s] 0 in swing; a period if it stays
   const GaitTiming& timing() const noexcept { return timing_; }
 
  private:
   double phase_of(int leg) const noexcept;
 
   GaitTiming timing_;
-  double phase_ = 0.0;   // 0 .. 1
+  double phase_ = 0.0;                  // 0 .. 1
   std::array<bool, kLegs> grounded_{};  // the leg skips its swing
   double waited_ = 0.0;  // [s] time for which the clock has waited before this lift-off
 };

@@ -28,8 +28,7 @@ GaitTiming trot_timing(const Gains& gains, const GaitSize& size,
   // A swing foot travels speed * period in the swing time, with the peak kPeakSpeed times the mean:
   //   kPeakSpeed * speed * (stance + swing) / swing - speed <= swing_speed
   const double swing_speed = gains.gait_swing_speed * size.height * size.corner_speed;
-  const double ratio =
-      std::max((swing_speed / speed + 1.0) / kPeakSpeed - 1.0, kMinStanceRatio);
+  const double ratio = std::max((swing_speed / speed + 1.0) / kPeakSpeed - 1.0, kMinStanceRatio);
   GaitTiming timing;
   timing.duty = std::min(gains.gait_duty, ratio / (1.0 + ratio));
   timing.period = std::min(gains.gait_period * size.time,

@@ -71,10 +71,10 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   const Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
-  swing.update({input.gains.swing_height * size_.height,
-                input.gains.swing_landing_speed * size_.speed},
-               footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(),
-               time_left, input.dt);
+  swing.update(
+      {input.gains.swing_height * size_.height, input.gains.swing_landing_speed * size_.speed},
+      footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(), time_left,
+      input.dt);
 }
 
 void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept {

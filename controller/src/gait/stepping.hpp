@@ -18,7 +18,8 @@ class Stepping {
 
   /// Begin at the measured state: all feet stand.
   void start(const PlannerInput& input) noexcept;
-  /// @param may_stop whether no foot shall lift off once the body is at rest over the nominal stance
+  /// @param may_stop whether no foot shall lift off once the body is at rest over the nominal
+  /// stance
   void plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
             Reference& reference) noexcept;
 

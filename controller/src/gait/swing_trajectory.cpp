@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-// [s] Shortest time in which a moved foothold is still reached. Chosen: ten control periods; in less
-// the acceleration of the foot would exceed what the legs can do.
+// [s] Shortest time in which a moved foothold is still reached. Chosen: ten control periods; in
+// less the acceleration of the foot would exceed what the legs can do.
 constexpr double kMinTimeLeft = 0.02;
 
 }  // namespace
@@ -31,7 +31,8 @@ void SwingTrajectory::update(const Shape& shape, const Vector3& foothold, double
   const double bump_2 = 384.0 * s * r * (r * r - 3.0 * s * r + s * s);
   const double d = foothold.z() - z_start_;
   const double slope = -shape.landing_speed * swing_time;  // dz/ds at the end
-  const double c3 = 10.0 * d - 4.0 * slope, c4 = -15.0 * d + 7.0 * slope, c5 = 6.0 * d - 3.0 * slope;
+  const double c3 = 10.0 * d - 4.0 * slope, c4 = -15.0 * d + 7.0 * slope,
+               c5 = 6.0 * d - 3.0 * slope;
   const double line = s * s * s * (c3 + s * (c4 + s * c5));
   const double line_1 = s * s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5));
   const double line_2 = s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5));

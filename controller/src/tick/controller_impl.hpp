@@ -33,7 +33,7 @@ struct Controller::Impl {
   int lost_leg = -1;
   UsableFriction friction;
   DelayPredictor predictor;
-  Dynamics predicted_dynamics;  // at the predicted state; used only if StandOptions::delay > 0
+  Dynamics predicted_dynamics;  // at the predicted state, see predict_and_solve()
   // Estimated state; state.friction is the share of the friction that the QP may use.
   RobotState state;
   WholeBodyController controller;

@@ -47,12 +47,12 @@ class DelayPredictor {
   void record(const Eigen::VectorXd& accelerations, double scale, const Vector12& tau,
               const Vector3& f_push) noexcept;
 
-  /// Return the command that acted when the newest sample was measured, horizon() ago, or null if no
-  /// command acted.
+  /// Return the command that acted when the newest sample was measured, horizon() ago, or null if
+  /// no command acted.
   const SentCommand* acting_command(double period) const noexcept;
 
-  /// Return the predicted state at the time horizon() after `state`. Until the next call, the caller
-  /// may change the result.
+  /// Return the predicted state at the time horizon() after `state`. Until the next call, the
+  /// caller may change the result.
   RobotState& predict(const RobotState& state, double period) noexcept;
 
   void reset() noexcept { count_ = 0; }

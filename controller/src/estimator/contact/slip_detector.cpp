@@ -27,8 +27,7 @@ constexpr double kLoadedConfidence = 0.5;
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
-                          const Eigen::Vector4d& contact, bool stepping,
-                          double dt) noexcept {
+                          const Eigen::Vector4d& contact, bool stepping, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const bool loaded = contact[leg] > kLoadedConfidence;
     // The low-pass restarts at touchdown, because the velocity of the swing must not count as slip.

@@ -46,8 +46,8 @@ constexpr double kAgreementRatio = 0.5;
 constexpr double kUnmeasuredRateNoise = 1.0;
 constexpr double kUnmeasuredForceNoise = 3.0;
 
-// [m/s^2] Standard deviation of the mean specific force over a tick while impacts of feet vibrate in
-// the accelerometer. Chosen: public logs of a trotting Go1 have peaks of 10 to 20 m/s^2, which
+// [m/s^2] Standard deviation of the mean specific force over a tick while impacts of feet vibrate
+// in the accelerometer. Chosen: public logs of a trotting Go1 have peaks of 10 to 20 m/s^2, which
 // swing about zero. The gyroscope has no such term: its vibration swings about zero too, and with
 // it the feet, which slip and roll, would outweigh it in yaw.
 constexpr double kForceVibration = 1.5;
@@ -74,8 +74,7 @@ double mean_variance(const Vector3& change, double sigma) noexcept {
 
 ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
                                 const InvariantFilter& filter, const Dynamics& dynamics,
-                                const Eigen::Vector4d& contact, bool stepping,
-                                double dt) noexcept {
+                                const Eigen::Vector4d& contact, bool stepping, double dt) noexcept {
   ImuInput out;
   out.dt = dt;
   if (!started_) {
@@ -96,9 +95,9 @@ ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
   out.f_base = 0.5 * (imu.f_base + last_f_);
   out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kHeldRateDrift, dt) +
                    (stepping ? 0.0 : mean_variance(imu.w_base - last_w_, w_noise_.sigma()));
-  out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
-                   (stepping ? square(kForceVibration)
-                             : mean_variance(imu.f_base - last_f_, f_noise_.sigma()));
+  out.f_variance =
+      held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
+      (stepping ? square(kForceVibration) : mean_variance(imu.f_base - last_f_, f_noise_.sigma()));
   if (imu.gyroscope != SensorVerdict::kGood || gyroscope_rejected_) {
     replace_rate(imu, filter, dynamics, contact, quaternion_changed, out);
   }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <boost/test/unit_test.hpp>
+
+#include "gait/foothold.hpp"
+#include "walking_body.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kTimeLeft = 0.12, kStanceTime = 0.2;  // [s]
+
+struct FootholdFixture : WalkingBody {
+  Eigen::Vector2d of(int leg) const {
+    return foothold(size, measured, body, leg, kTimeLeft, kStanceTime);
+  }
+  // Return the hip of a leg at a time from now, if the body goes on as it does.
+  Eigen::Vector2d hip(int leg, double time) const {
+    const Eigen::Rotation2Dd R(body.yaw() + time * body.velocity().yaw_rate);
+    return measured.p_com + time * measured.v_com + R * size.nominal_feet.col(leg).head<2>();
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(gait_foothold)
+
+BOOST_FIXTURE_TEST_CASE(foot_is_under_its_hip_at_mid_stance_of_a_steady_walk, FootholdFixture) {
+  for (const WalkVelocity& command :
+       {WalkVelocity{}, WalkVelocity{0.6, 0.0, 0.0}, WalkVelocity{-0.2, 0.3, 0.0}}) {
+    walk(command, 3.0);
+    for (int leg = 0; leg < kLegs; ++leg) {
+      BOOST_TEST((of(leg) - hip(leg, kTimeLeft + 0.5 * kStanceTime)).norm() < 1e-9);
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(feet_of_a_turning_body_are_placed_for_its_heading_at_mid_stance,
+                        FootholdFixture) {
+  walk({0.0, 0.0, 1.0}, 3.0);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    BOOST_TEST((of(leg) - hip(leg, kTimeLeft + 0.5 * kStanceTime)).norm() < 1e-9);
+  }
+}
+
+// The body is dv * time_left further at touchdown, and its capture point dv sqrt(h / g) more.
+BOOST_FIXTURE_TEST_CASE(velocity_error_moves_the_foothold_by_the_capture_point, FootholdFixture) {
+  walk({0.3, 0.0, 0.0}, 3.0);
+  const Eigen::Vector2d before = of(FL_), dv(0.2, -0.3);
+  measured.v_com += dv;
+  const Eigen::Vector2d moved = of(FL_) - before;
+  BOOST_TEST((moved - (kTimeLeft + std::sqrt(size.height / kGravity)) * dv).norm() < 1e-9);
+}
+
+// The zero-moment point of a body that accelerates by a is a h / g behind its centre of mass.
+BOOST_FIXTURE_TEST_CASE(feet_of_an_accelerating_body_are_placed_behind, FootholdFixture) {
+  measured.yaw = 0.0;
+  body.start(measured, size.height);
+  walk({1.0, 0.0, 0.0}, 0.1);
+  BOOST_TEST(std::abs(body.a_world().x() - gains.walk_acceleration * kGravity) < 1e-9);
+  const Eigen::Vector2d behind = of(RR_) - hip(RR_, kTimeLeft + 0.5 * kStanceTime);
+  BOOST_TEST(std::abs(behind.x() + gains.walk_acceleration * size.height) < 1e-9);
+  BOOST_TEST(std::abs(behind.y()) < 1e-9);
+}
+
+BOOST_FIXTURE_TEST_CASE(foothold_stays_within_reach_of_the_leg, FootholdFixture) {
+  measured.v_com << 30.0, -40.0;
+  const Eigen::Vector2d offset = of(FR_) - hip(FR_, kTimeLeft);
+  BOOST_TEST(std::abs(offset.norm() - 0.83 * size.height) < 1e-9);
+  BOOST_TEST((offset.normalized() - Eigen::Vector2d(0.6, -0.8)).norm() < 1e-9);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

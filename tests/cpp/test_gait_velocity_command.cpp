@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "gait/velocity_command.hpp"
+#include "quadruped.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+const double kNan = std::nan("");
+const double kInfinity = std::numeric_limits<double>::infinity();
+
+struct CommandFixture {
+  Gains gains;
+  GaitSize size{quadruped()};
+  VelocityCommand command{size, 0.5};
+  WalkLimit set(double vx, double vy, double yaw_rate) {
+    command.set(gains, {vx, vy, yaw_rate});
+    return command.limit();
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(gait_velocity_command)
+
+BOOST_FIXTURE_TEST_CASE(velocity_within_reach_is_kept, CommandFixture) {
+  BOOST_TEST(command.is_zero());
+  BOOST_TEST((set(0.4, -0.2, 0.3) == WalkLimit::kNone));
+  const WalkVelocity& v = command.velocity();
+  BOOST_TEST((v.vx == 0.4 && v.vy == -0.2 && v.yaw_rate == 0.3));
+  BOOST_TEST(!command.is_zero());
+  BOOST_TEST((set(0.0, 0.0, -0.1) == WalkLimit::kNone));
+  BOOST_TEST(!command.is_zero());
+}
+
+BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_and_its_limit_named, CommandFixture) {
+  BOOST_TEST((set(9.0, 0.0, 0.0) == WalkLimit::kForward));
+  BOOST_TEST(command.velocity().vx == gains.walk_speed_forward * size.speed);
+  BOOST_TEST((set(-9.0, 0.0, 0.0) == WalkLimit::kForward));
+  BOOST_TEST(command.velocity().vx == -gains.walk_speed_backward * size.speed);
+  for (const double sign : {1.0, -1.0}) {
+    BOOST_TEST((set(0.2, sign * 9.0, 0.0) == WalkLimit::kSideways));
+    BOOST_TEST(command.velocity().vy == sign * gains.walk_speed_sideways * size.speed);
+    BOOST_TEST(command.velocity().vx == 0.2);
+    BOOST_TEST((set(0.0, 0.0, sign * 9.0) == WalkLimit::kTurn));
+    BOOST_TEST(command.velocity().yaw_rate == sign * gains.walk_turn_speed / size.time);
+  }
+  BOOST_TEST((set(0.1, 0.0, 0.0) == WalkLimit::kNone));
+}
+
+BOOST_FIXTURE_TEST_CASE(velocity_that_is_not_finite_keeps_the_last_one, CommandFixture) {
+  set(0.4, 0.0, 0.3);
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    BOOST_TEST((set(bad, 0.0, 0.0) == WalkLimit::kNotFinite));
+    BOOST_TEST((set(0.0, bad, 0.0) == WalkLimit::kNotFinite));
+    BOOST_TEST((set(0.0, 0.0, bad) == WalkLimit::kNotFinite));
+    BOOST_TEST((command.velocity().vx == 0.4 && command.velocity().yaw_rate == 0.3));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(velocity_is_zero_after_its_timeout, CommandFixture) {
+  const auto advance = [&](double seconds) {
+    for (int k = 0; k < seconds / 0.01 - 0.5; ++k) command.advance(0.01);
+  };
+  set(0.4, 0.0, 0.0);
+  advance(0.4);
+  set(0.4, 0.0, 0.0);  // the time starts again
+  advance(0.49);
+  BOOST_TEST(!command.is_zero());
+  advance(0.03);
+  BOOST_TEST(command.is_zero());
+  // A command that is ignored does not renew the last one.
+  set(0.4, 0.0, 0.0);
+  advance(0.3);
+  set(kNan, 0.0, 0.0);
+  advance(0.22);
+  BOOST_TEST(command.is_zero());
+}
+
+BOOST_FIXTURE_TEST_CASE(reset_sets_the_velocity_to_zero, CommandFixture) {
+  set(9.0, 0.0, 0.0);
+  command.reset();
+  BOOST_TEST(command.is_zero());
+  BOOST_TEST((command.limit() == WalkLimit::kNone));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
