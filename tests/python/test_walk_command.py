@@ -89,6 +89,16 @@ def test_json_has_every_field_and_the_limit_of_a_clamped_velocity(capsys, tmp_pa
     assert "9, 0 m/s, 0 rad/s at 0.1 s, limited (forward) to" in out and err == ""
 
 
+def test_walk_without_a_velocity_stands(capsys) -> None:
+    assert main("walk --duration 0.6 --json -".split()) == 0
+    summary = json.loads(capsys.readouterr().out)
+    assert summary["commands"] == [] and summary["velocity_rmse"] is None
+    assert (summary["steps"], summary["slip_mm_per_step"]) == (0, None)
+    assert summary["stands_at_end"]
+    assert main("walk --duration 0.1".split()) == 0
+    assert "no steps, 0 leg contacts" in capsys.readouterr().out
+
+
 def test_fall_exits_with_status_3_and_a_summary(capsys) -> None:
     words = "walk --duration 2 --push lateral:1000%:0.1@0.1 --velocity 0.5,0,0@0.1 --json -"
     assert main(words.split()) == 3

@@ -25,11 +25,11 @@ def command_figures(log: WalkLog) -> list[dict[str, Any]]:
     The figures cover the time from SETTLING after the command to the next command or the end of the
     run. They are None if no time is left.
     """
-    ticks = [(k, r) for k, r in velocity_ticks(log.settings.velocities, log.rate)]
-    ticks = [(k, request) for k, request in ticks if k < len(log.time)]
-    ends = [k for k, _ in ticks[1:]] + [len(log.time)]
+    ticks = velocity_ticks(log.settings.velocities, log.rate)
+    reached = [(k, request) for k, request in ticks if k < len(log.time)]
+    edges = [*(k for k, _ in reached), len(log.time)]
     entries = []
-    for (start, request), end in zip(ticks, ends, strict=True):
+    for (start, request), end in zip(reached, edges[1:], strict=True):
         window = slice(start + round(SETTLING * log.rate), end)
         entries.append(
             {
