@@ -161,7 +161,7 @@ WalkCounts run_walk(const Robot& robot) {
   const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
   for (int tick = 0; tick < 25000; ++tick) {
     const bool was_walking = controller.walking();
-    if (tick % 2500 >= 500 && tick % 2500 < 1500) controller.set_velocity({0.5, 0.0, 0.2});
+    if (tick % 2500 >= 500 && tick % 2500 < 1500) controller.set_velocity({0.5, 0.1, 0.0});
     if (tick % 2500 == 1700) controller.set_velocity({std::nan(""), 0.0, 0.0});
     report.tick += 2;
     for (int leg = 0; leg < kLegs; ++leg) {

@@ -43,6 +43,12 @@ BOOST_FIXTURE_TEST_CASE(push_over_the_front_edge_brakes_forward_motion_first, Pu
   BOOST_TEST(found.along > 0.0);
 }
 
+BOOST_FIXTURE_TEST_CASE(stepping_robot_brakes_all_directions_with_equal_weight, PushedStance) {
+  push(15.0, 1.5);
+  reference.stepping = true;
+  BOOST_TEST(axes().along == 1.0);
+}
+
 BOOST_FIXTURE_TEST_CASE(push_over_the_side_edge_brakes_lateral_motion_first, PushedStance) {
   push(90.0, 1.5);
   const EdgeBrakingAxes found = axes();

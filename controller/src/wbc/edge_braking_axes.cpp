@@ -38,6 +38,7 @@ void EdgeBrakingAxes::apply_to(BodyRows& position) const noexcept {
 EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& state,
                                   const Reference& reference, double mass) noexcept {
   EdgeBrakingAxes axes;
+  if (reference.stepping) return axes;  // the next step brakes
   const SupportPolygon polygon = support_polygon(dynamics, reference);
   const Eigen::Vector2d capture =
       capture_point(dynamics, kRemainingPushTime / mass * state.f_external);

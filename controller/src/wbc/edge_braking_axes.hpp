@@ -33,8 +33,8 @@ struct EdgeBrakingAxes {
 };
 
 /// Compute the axes from the capture point that is predicted if f_external acts for another 0.08 s.
-/// Return world axes and factor 1 if this point is at least 3 cm inside all edges, or if there are
-/// fewer than three stance feet. Real-time: yes.
+/// Return world axes and factor 1 if this point is at least 3 cm inside all edges, if there are
+/// fewer than three stance feet, or if the robot steps. Real-time: yes.
 /// @param mass mass of the robot [kg]
 EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& state,
                                   const Reference& reference, double mass) noexcept;
