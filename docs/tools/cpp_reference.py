@@ -13,6 +13,7 @@ GROUPS = {
     "Controllers": (
         "controller",
         "stand_controller",
+        "walk_controller",
         "whole_body_controller",
         "supervisor",
         "stand_runner",
@@ -21,6 +22,7 @@ GROUPS = {
         "low_level",
         "types",
         "body_reference",
+        "walk_velocity",
         "gains",
         "task",
         "planner",

@@ -9,8 +9,9 @@ from pathlib import Path
 
 CORE_GROUPS = {
     "Controllers": (
-        "Controller StandController StandOptions WholeBodyController WholeBodyOptions Supervisor "
-        "SupervisorOptions StandRunner RunOptions RunSnapshot RunLog"
+        "Controller StandController StandOptions WalkController WalkOptions WalkVelocity WalkLimit "
+        "Gait WholeBodyController WholeBodyOptions Supervisor SupervisorOptions StandRunner "
+        "RunOptions RunSnapshot RunLog"
     ),
     "Robots": "load_robot available_robots Robot RobotConfig motor_torque_limit motion_range",
     "Gains": "Gains GainInfo gain_table get_gain set_gain load_gains save_gains",
