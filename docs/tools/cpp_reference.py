@@ -13,10 +13,10 @@ GROUPS = {
     "Controllers": (
         "controller",
         "stand_controller",
+        "walk_controller",
         "whole_body_controller",
         "supervisor",
         "stand_runner",
-        "walk_controller",
     ),
     "Data": (
         "low_level",

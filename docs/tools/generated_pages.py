@@ -14,8 +14,8 @@ from error_message_table import table as message_table
 from surefoot.cli.arguments import build_parser
 
 ENUMS = (
-    "Status FallbackLevel Mode Start RequestStatus RiseStage ReachLimit SensorVerdict "
-    "ContactSource FaultReaction"
+    "Status FallbackLevel Mode Start RequestStatus RiseStage ReachLimit WalkLimit Gait "
+    "SensorVerdict ContactSource FaultReaction"
 ).split()
 
 

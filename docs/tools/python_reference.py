@@ -9,9 +9,9 @@ from pathlib import Path
 
 CORE_GROUPS = {
     "Controllers": (
-        "Controller StandController StandOptions WholeBodyController WholeBodyOptions Supervisor "
-        "SupervisorOptions StandRunner RunOptions RunSnapshot RunLog WalkController WalkOptions "
-        "WalkVelocity"
+        "Controller StandController StandOptions WalkController WalkOptions WalkVelocity WalkLimit "
+        "Gait WholeBodyController WholeBodyOptions Supervisor SupervisorOptions StandRunner "
+        "RunOptions RunSnapshot RunLog"
     ),
     "Robots": "load_robot available_robots Robot RobotConfig motor_torque_limit motion_range",
     "Gains": "Gains GainInfo gain_table get_gain set_gain load_gains save_gains",
@@ -26,7 +26,7 @@ CORE_GROUPS = {
     "Estimation": "StateEstimator EstimatorReport ContactSource SensorVerdict identify_delay",
     "Statuses": (
         "Status is_usable names_wrong_sensor FallbackLevel Mode Start RequestStatus RiseStage "
-        "ReachStatus ReachLimit Gait WalkLimit"
+        "ReachStatus ReachLimit"
     ),
     "Safety and faults": (
         "Safety ArmingCheck ArmingReport FaultId FaultInfo FaultReaction FaultReport fault_table"

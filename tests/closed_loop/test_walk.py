@@ -19,10 +19,6 @@ VELOCITIES = ("0.5,0,0@0.5", "0.3,0,1@3.5", "0,0,0@6.5")
 # Largest figures of the worst command: mean error and RMSE of vx, vy [m/s] and of the yaw rate
 # [rad/s], RMS of roll and pitch [deg].
 TARGET = {"mean": [0.02, 0.02, 0.02], "rmse": [0.05, 0.05, 0.1], "roll_pitch": [1.0, 1.0]}
-# Measured with seed 1, and rounded up: with soft soles and walking sensors together the estimator
-# has an error of the vertical velocity of 0.17 m/s RMS, and TARGET is not reached.
-MEASURED = {"mean": [0.03, 0.02, 0.02], "rmse": [0.13, 0.1, 0.11], "roll_pitch": [1.6, 1.6]}
-NOT_STANDING = "seed 1 (not 2 and 3) still steps 3.5 s after the command to stop"
 
 
 def walk(**plant: bool) -> WalkLog:
@@ -62,7 +58,7 @@ def test_go1_walks_and_turns_at_the_commanded_velocity(quiet_summary) -> None:
 
 
 def test_go1_walks_and_turns_with_walking_sensors(summary) -> None:
-    check_walk(summary, MEASURED)
+    check_walk(summary, TARGET)
 
 
 def test_go1_stops_and_stands_within_2_cm_of_its_standing_pose(quiet_summary) -> None:
@@ -70,7 +66,6 @@ def test_go1_stops_and_stands_within_2_cm_of_its_standing_pose(quiet_summary) ->
     assert quiet_summary["stance_error_mm"] <= 20.0
 
 
-@pytest.mark.xfail(strict=True, reason=NOT_STANDING)
 def test_go1_stops_and_stands_with_walking_sensors(summary) -> None:
     assert summary["stance_error_mm"] <= 20.0
     assert summary["stands_at_end"]
