@@ -23,7 +23,7 @@ struct PlannedWalk {
 
   PlannedWalk() {
     state.contact.setOnes();
-    run(0.02);
+    run(0.32);  // the planner stands for 0.3 s
   }
   void tick() {
     BOOST_REQUIRE(planner.plan(

@@ -31,22 +31,39 @@ BOOST_FIXTURE_TEST_CASE(robot_steps_until_its_feet_are_in_the_nominal_stance, Pl
 
 BOOST_FIXTURE_TEST_CASE(gait_trot_steps_at_velocity_0, PlannedWalk) {
   planner.set_gait(Gait::kTrot);
-  run(2.0);
+  walk({}, 2.0);
   BOOST_TEST((planner.walking() && reference.stepping));
   BOOST_TEST(planner.stepping().body().v_world().norm() == 0.0);
-  planner.set_gait(Gait::kAuto);
-  run(1.5);
+  run(1.5);  // no velocity is set any more
   expect_standing_reference();
 }
 
-BOOST_FIXTURE_TEST_CASE(lost_leg_stops_the_walk_at_once, PlannedWalk) {
+BOOST_FIXTURE_TEST_CASE(robot_with_a_lost_leg_stands_when_its_other_feet_are_down, PlannedWalk) {
   walk({0.3, 0.0, 0.0}, 0.5);
   BOOST_TEST(planner.walking());
+  while (swing_feet() == 0) walk({0.3, 0.0, 0.0}, kDt);
   lost_leg = RR_;
   walk({0.3, 0.0, 0.0}, kDt);
+  BOOST_TEST(planner.walking());  // a pair is in the air
+  walk({0.3, 0.0, 0.0}, 0.35);
   expect_standing_reference();
   walk({0.3, 0.0, 0.0}, 1.0);
   BOOST_TEST(!planner.walking());
+}
+
+BOOST_FIXTURE_TEST_CASE(lifted_robot_stands_and_walks_again_when_all_feet_carry, PlannedWalk) {
+  walk({0.3, 0.0, 0.0}, 0.5);
+  state.contact.setZero();
+  walk({0.3, 0.0, 0.0}, 0.1);
+  BOOST_TEST(planner.walking());  // as in a flying trot
+  walk({0.3, 0.0, 0.0}, 0.15);
+  expect_standing_reference();
+  state.contact << 1.0, 1.0, 1.0, 0.0;
+  walk({0.3, 0.0, 0.0}, 0.1);
+  BOOST_TEST(!planner.walking());
+  state.contact.setOnes();
+  walk({0.3, 0.0, 0.0}, 0.1);
+  BOOST_TEST(planner.walking());
 }
 
 BOOST_FIXTURE_TEST_CASE(reset_forgets_the_walk_and_the_velocity, PlannedWalk) {

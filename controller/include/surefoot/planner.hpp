@@ -14,7 +14,7 @@ struct PlannerInput {
   const RobotState& state;   ///< estimated state, see StateEstimator
   const Gains& gains;        ///< gains of this tick
   const Dynamics& dynamics;  ///< kinematics and dynamics at `state`; opaque outside the library
-  double dt;                 ///< [s] time since the last good tick
+  double dt;                 ///< [s] time since the last good tick, at most 0.01
   /// [s] Time from `state` until the command of this tick acts, see StandOptions::delay. The QP of
   /// a stepping robot uses the state predicted for that time, so its reference is planned for it
   /// too.

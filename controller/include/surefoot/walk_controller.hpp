@@ -24,9 +24,9 @@ struct WalkOptions {
 /// Controller that walks: LowState and a velocity in, LowCmd out.
 ///
 /// At velocity 0 it stands like a StandController. At another velocity it trots: diagonal pairs of
-/// feet step in turn. Footholds follow the measured velocity, so the robot also steps after a push.
-/// When the velocity is 0 again, it steps until its feet are in the nominal stance, and stands.
-/// With a lost leg it only stands.
+/// feet step in turn. While it trots, footholds follow the measured velocity, so its steps brake
+/// pushes. When the velocity is 0 again, it steps until its feet are in the nominal stance, and
+/// stands. With a lost leg it only stands.
 class WalkController : public Controller {
  public:
   /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the

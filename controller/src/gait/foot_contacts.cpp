@@ -12,10 +12,10 @@ namespace {
 constexpr double kLanded = 0.7;
 constexpr double kLost = 0.3;
 // Share of the swing before which a contact is not a landing: the foot still leaves the ground, or
-// it hits an obstacle, over which it goes on.
+// it hits an obstacle, and the swing continues over it.
 constexpr double kEarliestLanding = 0.6;
-// [s] Ramp of the planned load after touchdown and before lift-off. Chosen: shorter than the
-// overlap of the pairs would make the torques jump, longer wastes stance.
+// [s] Ramp of the planned load after touchdown and before lift-off. Chosen. If smaller:
+// the torques jump. If larger: the foot carries its full load for less of its stance.
 constexpr double kLoadRamp = 0.02;
 // Planned loads of feet that have landed early, and of feet that still reach for the ground.
 constexpr double kEarlyLoad = 0.2;
@@ -30,12 +30,12 @@ void FootContacts::update(const GaitClock& clock, const Eigen::Vector4d& contact
     const bool was_in_stance = in_stance(leg);
     phase_[leg] = next_phase(leg, clock, contact[leg]);
     lifted_off_[leg] = last != FootPhase::kSwing && phase_[leg] == FootPhase::kSwing;
-    landed_[leg] = !was_in_stance && in_stance(leg);
     lost_[leg] = was_in_stance && phase_[leg] == FootPhase::kLateSwing;
     double target = 0.0;
     if (phase_[leg] == FootPhase::kStance)
       target = std::min(1.0, clock.time_to_liftoff(leg) / kLoadRamp);
-    if (phase_[leg] == FootPhase::kEarlyStance) target = kEarlyLoad;
+    // A foot that bounces after an early landing carries nothing until it is down again.
+    if (phase_[leg] == FootPhase::kEarlyStance && contact[leg] > kLost) target = kEarlyLoad;
     if (phase_[leg] == FootPhase::kLateSwing) target = kLateLoad;
     load_[leg] = std::min(target, load_[leg] + dt / kLoadRamp);
   }
@@ -54,12 +54,19 @@ FootPhase FootContacts::next_phase(int leg, const GaitClock& clock, double conta
   return contact > kLanded ? FootPhase::kStance : FootPhase::kLateSwing;
 }
 
-bool FootContacts::all_in_stance() const noexcept {
-  return std::count(phase_.begin(), phase_.end(), FootPhase::kStance) == kLegs;
+bool FootContacts::others_in_stance(int leg) const noexcept {
+  for (int other = 0; other < kLegs; ++other) {
+    if (other != leg && phase_[other] != FootPhase::kStance) return false;
+  }
+  return true;
 }
 
-bool FootContacts::late() const noexcept {
-  return std::find(phase_.begin(), phase_.end(), FootPhase::kLateSwing) != phase_.end();
+// A foot that is about to lift off need not land first.
+bool FootContacts::late(const GaitClock& clock) const noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (phase_[leg] == FootPhase::kLateSwing && clock.time_to_liftoff(leg) > kLoadRamp) return true;
+  }
+  return false;
 }
 
 }  // namespace surefoot

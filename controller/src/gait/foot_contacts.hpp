@@ -30,18 +30,17 @@ class FootContacts {
     return phase_[leg] == FootPhase::kStance || phase_[leg] == FootPhase::kEarlyStance;
   }
   bool lifted_off(int leg) const noexcept { return lifted_off_[leg]; }  ///< in this tick
-  bool landed(int leg) const noexcept { return landed_[leg]; }          ///< in this tick
   bool lost(int leg) const noexcept { return lost_[leg]; }    ///< the ground was lost in this tick
   double load(int leg) const noexcept { return load_[leg]; }  ///< planned, 0 .. 1
-  bool all_in_stance() const noexcept;
-  /// Whether a foot that should carry load has not landed.
-  bool late() const noexcept;
+  bool others_in_stance(int leg) const noexcept;              ///< all feet but that of `leg`
+  /// Return whether a foot that should carry load has not landed.
+  bool late(const GaitClock& clock) const noexcept;
 
  private:
   FootPhase next_phase(int leg, const GaitClock& clock, double contact) noexcept;
 
   std::array<FootPhase, kLegs> phase_{};
-  std::array<bool, kLegs> lifted_off_{}, landed_{}, lost_{};
+  std::array<bool, kLegs> lifted_off_{}, lost_{};
   std::array<double, kLegs> load_ = {1.0, 1.0, 1.0, 1.0};
 };
 

@@ -32,7 +32,7 @@ void GaitClock::advance(const GaitTiming& timing, bool late, bool stop, double d
     waited_ += dt;
     return;
   }
-  if (lifts) waited_ = 0.0;
+  if (lifts || stop) waited_ = 0.0;
   phase_ = fraction(phase_ + step);
 }
 

@@ -10,30 +10,36 @@ namespace surefoot {
 /// Times of a gait. Leg i is in stance while its phase, frac(phase + offset[i]), is below duty.
 struct GaitTiming {
   double period = 0.42;                                     ///< [s] of one cycle
-  double duty = 0.52;                                       ///< share of the period in stance
+  double duty = 0.5;                                        ///< share of the period in stance
   std::array<double, kLegs> offset = {0.0, 0.5, 0.5, 0.0};  ///< FR FL RR RL
   double stance_time() const noexcept { return duty * period; }
   double swing_time() const noexcept { return (1.0 - duty) * period; }
 };
 
-/// Clock of a gait: the phase of each leg. It waits for feet that should have landed and have not:
-/// else a push that lifts the body would let the other feet leave the ground too. Real-time: yes.
+/// Clock of a gait: the phase of each leg. Before a foot lifts off, the clock waits for feet that
+/// should have landed and have not. Without the wait, a push that lifts the body would leave no
+/// foot on the ground. Real-time: yes.
 class GaitClock {
  public:
-  /// Start at a phase at which all legs are in stance: those with offset 0 have just landed.
-  void start() noexcept { *this = {}; }
+  /// Start with all legs in stance, as if those with offset 0 had just landed. A leg whose phase is
+  /// in the swing skips that swing.
+  void start() noexcept {
+    *this = {};
+    grounded_.fill(true);
+  }
 
   /// Advance the phase.
   /// @param late whether a foot that should carry load has not landed
-  /// @param stop whether no further foot shall lift off; one that has waited lifts off in its next
-  ///   cycle
+  /// @param stop whether no further foot shall lift off. After `stop`, a foot that skipped its
+  ///   swing lifts off one cycle later
   void advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept;
 
   bool in_swing(int leg) const noexcept { return phase_of(leg) >= timing_.duty && !grounded_[leg]; }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
   double time_to_touchdown(int leg) const noexcept;  ///< [s] 0 in stance
-  double time_to_liftoff(int leg) const noexcept;    ///< [s] 0 in swing; a period if it stays
+  double time_to_liftoff(
+      int leg) const noexcept;  ///< [s] 0 in swing; a period if it skips its swing
   const GaitTiming& timing() const noexcept { return timing_; }
 
  private:

@@ -12,8 +12,8 @@ namespace {
 constexpr double kPeakSpeed = 1.875;
 // [sqrt(g h)] Speed below which timing does not change. Numerical: avoids a division by zero.
 constexpr double kMinSpeed = 1e-3;
-// Smallest ratio of stance to swing time. Chosen: with less, the feet would have to carry more than
-// three times the weight.
+// Smallest ratio of stance to swing time. Chosen: with less, a pair of feet would have to
+// carry more than 1.6 times the weight.
 constexpr double kMinStanceRatio = 0.45;
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr double kReachDownSpeed = 0.23;
 // that one foot on a step does not tilt the body.
 constexpr double kNormalTime = 2.0;
 // is_at_rest(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
-// largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then moves neither.
+// largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.067;
 constexpr double kStopSpeed = 0.03;
 
@@ -42,9 +42,9 @@ void Stepping::start(const PlannerInput& input) noexcept {
 void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
                     Reference& reference) noexcept {
   const HorizontalMotion measured = measured_motion(input);
-  at_rest_ = may_stop && is_at_rest(input);
-  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(), at_rest_,
-                 input.dt);
+  at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input));
+  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(clock_),
+                 at_rest_, input.dt);
   contacts_.update(clock_, input.state.contact, input.dt);
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));

@@ -10,21 +10,26 @@
 
 namespace surefoot {
 
-/// Reference of a robot that steps: the clock lifts feet in turn, each foot lands where the body
-/// will need it, and the body moves with the commanded velocity. Real-time: yes.
+/// Reference of a robot that steps: the clock lifts feet in turn, each foot lands at its
+/// foothold, and the body moves with the commanded velocity. Real-time: yes.
 class Stepping {
  public:
   explicit Stepping(const GaitSize& size) : size_(size), body_(size) {}
 
   /// Begin at the measured state: all feet stand.
   void start(const PlannerInput& input) noexcept;
-  /// @param may_stop whether no foot shall lift off once the body is at rest over the nominal
-  /// stance
+  /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
+  /// stance,
+  ///   or a leg is lost
   void plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
             Reference& reference) noexcept;
 
-  /// Return whether the robot has stopped: all feet are on the ground, and it need not step.
-  bool has_stopped() const noexcept { return at_rest_ && contacts_.all_in_stance(); }
+  /// Return whether the robot has stopped: no foot need lift off, and all feet stand, except that
+  /// of a lost leg.
+  /// @param lost_leg 0 .. 3, or -1
+  bool has_stopped(int lost_leg) const noexcept {
+    return at_rest_ && contacts_.others_in_stance(lost_leg);
+  }
 
   const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
   const FootContacts& contacts() const noexcept { return contacts_; }

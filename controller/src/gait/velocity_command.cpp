@@ -28,10 +28,11 @@ void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noex
 
 void VelocityCommand::advance(double dt) noexcept {
   age_ += dt;
-  if (age_ > timeout_) velocity_ = {};
+  if (has_expired()) velocity_ = {};
 }
 
 void VelocityCommand::reset() noexcept {
+  age_ = std::numeric_limits<double>::infinity();
   velocity_ = {};
   limit_ = WalkLimit::kNone;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "gait/gait_size.hpp"
 #include "surefoot/gains.hpp"
 #include "surefoot/walk_velocity.hpp"
@@ -19,12 +21,14 @@ class VelocityCommand {
 
   const WalkVelocity& velocity() const noexcept { return velocity_; }
   bool is_zero() const noexcept;
+  /// Return whether the last set() is older than the timeout, or nothing was set since reset().
+  bool has_expired() const noexcept { return age_ > timeout_; }
   WalkLimit limit() const noexcept { return limit_; }  ///< of the last set()
 
  private:
   GaitSize size_;
   double timeout_;
-  double age_ = 0.0;  // [s]
+  double age_ = std::numeric_limits<double>::infinity();  // [s]
   WalkVelocity velocity_;
   WalkLimit limit_ = WalkLimit::kNone;
 };

@@ -7,7 +7,11 @@
 
 namespace surefoot {
 
-/// Planner of a robot that walks, and stands while nothing asks it to walk. Real-time: yes.
+/// Planner that trots at a commanded velocity, and otherwise stands. Real-time: yes.
+///
+/// It stands for the first 0.3 s after reset(), in which wrong sensors are found. With a lost leg
+/// it puts its swing feet down and stands. In the air it stands, and walks again when all feet
+/// carry.
 class WalkPlanner : public Planner {
  public:
   /// @param velocity_timeout age above which a commanded velocity becomes 0 [s]
@@ -24,15 +28,19 @@ class WalkPlanner : public Planner {
   Gait gait() const noexcept { return gait_; }
   const VelocityCommand& command() const noexcept { return command_; }
   const Stepping& stepping() const noexcept { return stepping_; }
-  const StandPlanner& stand() const noexcept { return stand_; }
 
  private:
   WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout);
+  void update_times(const PlannerInput& input) noexcept;
   bool wants_to_walk(const PlannerInput& input) const noexcept;
-  void stop_walking(Reference& reference) noexcept;
+  bool must_stand() const noexcept;
+  bool stand(const PlannerInput& input, Reference& reference) noexcept;
 
   Gait gait_ = Gait::kAuto;
   bool walking_ = false;
+  double time_ = 0.0;           // [s] since reset()
+  double airborne_time_ = 0.0;  // [s] for which no foot has been in contact
+  double lost_time_ = 0.0;      // [s] since the leg was lost
   VelocityCommand command_;
   StandPlanner stand_;
   Stepping stepping_;

@@ -119,6 +119,7 @@ Status MotionCheck::judge_joints(const StateEstimator& estimator) noexcept {
 // A wrong unit of q is outside the joint ranges (FirstSamples), so without a turn dq is wrong.
 Status MotionCheck::wrong_joints(const StateEstimator& estimator) const noexcept {
   if (!q_has_changed_) return Status::kWrongJointAngles;
+  if (by_gyroscope_.isZero(0.0)) return Status::kWrongJointVelocities;  // no turn was compared
   const Dynamics& dynamics = estimator.dynamics();
   const Vector12 difference = by_q_ - by_dq_;
   FeetMatrix motion;

@@ -33,6 +33,7 @@ void release_foot(const LegDynamics& leg, FootReference& foot) noexcept {
   foot.load = 0.0;
   foot.p_world = leg.p_world_contact;
   foot.v_world = leg.v_world_contact;
+  foot.a_world.setZero();
 }
 
 }  // namespace

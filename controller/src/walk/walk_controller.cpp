@@ -47,7 +47,9 @@ WalkLimit WalkController::velocity_limit() const noexcept { return planner_->com
 
 void WalkController::set_gait(Gait gait) noexcept { planner_->set_gait(gait); }
 Gait WalkController::gait() const noexcept { return planner_->gait(); }
-bool WalkController::walking() const noexcept { return planner_->walking(); }
+bool WalkController::walking() const noexcept {
+  return planner_->walking() && status() != Status::kDamping;
+}
 FeetMatrix WalkController::footholds() const noexcept { return planner_->stepping().footholds(); }
 Eigen::Vector4d WalkController::planned_loads() const noexcept {
   if (!walking()) return Eigen::Vector4d::Ones();
