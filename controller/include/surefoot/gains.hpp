@@ -84,9 +84,11 @@ struct Gains {
   // standing pose; g: gravity.
   double gait_period = 2.4;  ///< [sqrt(h/g)] longest period of the gait
   double gait_duty = 0.5;    ///< [1] greatest share of the period in which a foot stands
-  /// [h] Longest distance that the body moves while a foot stands; faster, the period shortens.
+  /// [h] Longest distance that the body moves while a foot stands; at higher speed the period is
+  /// shorter.
   double gait_stance_travel = 0.9;
-  /// [h corner_speed] Greatest speed of a swing foot past the body; faster, the duty falls.
+  /// [h corner_speed] Greatest speed of a swing foot past the body; at higher speed the duty is
+  /// smaller.
   double gait_swing_speed = 1.0;
   /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the
   /// capture point.

@@ -21,7 +21,7 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
   const Eigen::Vector2d hip =
       measured.p_com + time_left * measured.v_com +
       Eigen::Rotation2Dd(body.yaw() + turn) * Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
-  // The feet carry a body that accelerates by a from behind: the zero-moment point is at a h / g.
+  // While the body accelerates with a, the zero-moment point is a h / g behind the centre of mass.
   Eigen::Vector2d offset = 0.5 * stance_time * body.v_world() +
                            gains.foothold_feedback * size.time * (measured.v_com - body.v_world()) -
                            size.time * size.time * body.a_world();

@@ -23,8 +23,8 @@ void SwingTrajectory::lift_off(const Vector3& p_world) noexcept {
 void SwingTrajectory::update(const Shape& shape, const Vector3& foothold, double progress,
                              double swing_time, double time_left, double dt) noexcept {
   for (int axis = 0; axis < 2; ++axis) move_horizontally(axis, foothold[axis], time_left, dt);
-  // Height 64 s^3 (1 - s)^3 of the arc, plus the quintic from lift-off at rest to `end`, where the
-  // foot moves down with the touchdown speed.
+  // Height 64 s^3 (1 - s)^3 of the arc, plus the quintic from rest at lift-off to the foothold,
+  // where the foot moves down with the touchdown speed.
   const double s = progress, r = 1.0 - s;
   const double bump = 64.0 * s * s * s * r * r * r;
   const double bump_1 = 192.0 * s * s * r * r * (r - s);

@@ -24,7 +24,7 @@ Status SensorCheck::update(const LowState& low_state, Status estimated,
   if (usable && found_ == Status::kOk && commanded != nullptr && !torque_gain_.done()) {
     found_ = torque_gain_.update(low_state, *commanded, dt);
   }
-  // A motion by wrong joint angles does not show what is wrong.
+  // A motion computed from joint angles that may be wrong proves nothing.
   if (usable && found_ == Status::kOk && !motion_.done() &&
       !first_samples_.suspects_joint_angles()) {
     found_ = motion_.update(low_state, robot_.config(), estimator, feet_stand, dt);

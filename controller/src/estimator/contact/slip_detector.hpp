@@ -15,7 +15,7 @@ class SlipDetector {
   /// Process one tick.
   /// @param v_contact velocities of the contact points, world axes [m/s]
   /// @param contact contact confidence per foot, 0 .. 1
-  /// @param stepping whether feet step: the slip of a stance is then forgotten with it
+  /// @param stepping true: the slip confidence becomes 0 when a foot lifts off
   void update(const Gains& gains, const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
               bool stepping, double dt) noexcept;
 

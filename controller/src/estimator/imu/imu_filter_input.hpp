@@ -27,7 +27,7 @@ class ImuFilterInput {
   /// Compute the filter input of this tick.
   /// @param dynamics dynamics of the last tick
   /// @param contact contact confidences of the last tick, 0 .. 1
-  /// @param stepping whether impacts of feet vibrate in the IMU; its noise is then not measured
+  /// @param stepping true: feet step, so the IMU vibrates; the noise estimate is held
   ImuInput update(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
                   const Dynamics& dynamics, const Eigen::Vector4d& contact, bool stepping,
                   double dt) noexcept;
