@@ -87,6 +87,15 @@ BOOST_FIXTURE_TEST_CASE(heading_stays_near_the_body_through_full_turns, BodyFixt
   BOOST_TEST(std::abs(reference.R_world_base.angularDistance(heading) - 0.1) < 1e-6);
 }
 
+BOOST_FIXTURE_TEST_CASE(heading_of_a_body_that_follows_is_continuous_at_half_turns, BodyFixture) {
+  for (int k = 0; k < 5000; ++k) {
+    const double last = body.yaw();
+    tick({0.0, 0.0, 1.5});
+    const double turned = std::remainder(body.yaw() - last, 2.0 * M_PI);
+    BOOST_REQUIRE(std::abs(turned - kDt * body.velocity().yaw_rate) < 1e-9);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(body_follows_a_slope_at_the_standing_height, BodyFixture) {
   const double rise = std::tan(15.0 * M_PI / 180.0);
   measured.yaw = 0.0;

@@ -70,8 +70,9 @@ BOOST_FIXTURE_TEST_CASE(feet_that_span_no_ground_keep_the_normal, PlaneFixture) 
   ground.start(sloped());
   const Vector3 before = ground.normal();
   FeetMatrix in_line = feet;
-  in_line.row(1).setZero();
-  FeetMatrix wall = feet;  // the left feet are 0.6 m above the right feet: 67 degrees
+  in_line.row(1) *= 1e-4;
+  in_line.row(2) += in_line.row(1);  // a plane that leans by 45 degrees
+  FeetMatrix wall = feet;            // the left feet are 0.6 m above the right feet: 67 degrees
   wall.row(2) += 2.3 * wall.row(1);
   FeetMatrix crossed = feet;  // left and right exchanged: the normal would point down
   crossed.row(1) *= -1.0;
