@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from surefoot.reports.summary_field import Field
 from surefoot.stand.summary_fields import FIELDS as STAND_FIELDS
 
@@ -11,10 +13,13 @@ _WALK_CONDITIONS = (
     ("soft_soles", "", "true: soft soles, false: rigid ones"),
     ("leg_collisions", "", "true: legs collide even where the SRDF disables it"),
 )
-_GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
+Row = tuple[str, str, str] | str
+"""Name, unit and meaning of a field; or the name of a field of a stand, with the same meaning."""
+
+_GROUPS: dict[str, tuple[Row, ...]] = {
     "Outcome": (
-        ("fell", "", "trunk or leg on the ground, or tilted by more than 60 deg"),
-        ("fall_time_s", "s", "time of the fall; null if it did not fall"),
+        "fell",
+        "fall_time_s",
         (
             "stands_at_end",
             "",
@@ -49,7 +54,7 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
             "",
             "sum of the positive joint powers / (weight x speed); null below 0.1 m/s",
         ),
-        ("torque_hf_rms", "N.m", "RMS of the true torque above 30 Hz, of the worst joint"),
+        "torque_hf_rms",
         (
             "commands",
             "",
@@ -77,22 +82,13 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ),
     ),
 }
-_LOOP = (
-    ("ticks", "", "calls of the controller's update()"),
+_LOOP: tuple[Row, ...] = (
+    "ticks",
     ("failed_ticks", "", "ticks that ended at a fallback level: not solved at the first attempt"),
     ("fallback_levels", "", "number of ticks that ended at each FallbackLevel"),
-    (
-        "saturated_ticks",
-        "",
-        "ticks whose torques are usable but were clipped to the motor limits",
-    ),
-    (
-        "torque_mode_only",
-        "",
-        "true if all 12 motors had mode 0x0A, Kp = Kd = 0, q = PosStopF, dq = VelStopF in "
-        "every command",
-    ),
-    ("iterations", "", "iterations of the QP solver: mean and max"),
+    "saturated_ticks",
+    "torque_mode_only",
+    "iterations",
     (
         "tick_us",
         "us",
@@ -101,8 +97,12 @@ _LOOP = (
 )
 
 
-def _fields(group: str, rows: tuple[tuple[str, str, str], ...]) -> tuple[Field, ...]:
-    return tuple(Field(name, unit, meaning, group) for name, unit, meaning in rows)
+def _fields(group: str, rows: tuple[Row, ...]) -> tuple[Field, ...]:
+    stand = {field.name: field for field in STAND_FIELDS}
+    return tuple(
+        replace(stand[row], group=group) if isinstance(row, str) else Field(*row, group)
+        for row in rows
+    )
 
 
 def _stand_fields(group: str) -> tuple[Field, ...]:
