@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from surefoot.cli.graphics import choose_graphics
@@ -12,10 +11,10 @@ from surefoot.cli.output_files import (
     check_json_path,
     check_report_folder,
     check_table_path,
-    write_json,
 )
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.simulation_arguments import read_simulation
+from surefoot.cli.simulation_output import write_outputs
 from surefoot.estimate import write_log
 from surefoot.replay import recording_columns
 
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from surefoot.stand import StandSettings
 
 
-FELL = 3  # exit status if the robot fell
+REPORT_MODULE = "surefoot.stand.report"
 
 
 def stand(arguments: argparse.Namespace) -> int:
@@ -44,24 +43,13 @@ def stand(arguments: argparse.Namespace) -> int:
     settings = read_settings(arguments)
     check_json_path(arguments.json)
     check_table_path("--log", arguments.log)
-    check_report_folder(arguments.report, "stand", "surefoot.stand.report")
+    check_report_folder(arguments.report, "stand", REPORT_MODULE)
     progress = progress_bar()
     sensors = None if arguments.log is None else SensorRecorder()
     log = run_stand(settings, progress, sensors)
     if sensors is not None:
         write_log(arguments.log, sensors.log(), recording_columns(stand_recording(log, sensors)))
-    summary = summarise(log)
-    write_json(arguments.json, summary)
-    if arguments.report is not None:
-        from surefoot.stand.report import write_report
-
-        command = ["surefoot", *arguments.argv]
-        page = write_report(log, summary, Path(arguments.report), command, progress)
-    if arguments.json != "-":
-        print(summary_text(summary))
-        if arguments.report is not None:
-            print(f"  report    {page}")
-    return FELL if log.fell else 0
+    return write_outputs(arguments, log, summarise(log), summary_text, REPORT_MODULE, progress)
 
 
 def read_settings(arguments: argparse.Namespace) -> StandSettings:

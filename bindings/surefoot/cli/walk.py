@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Gait
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
-from surefoot.cli.output_files import check_json_path, check_report_folder, write_json
+from surefoot.cli.output_files import check_json_path, check_report_folder
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.simulation_arguments import read_simulation
-from surefoot.cli.stand import FELL
+from surefoot.cli.simulation_output import write_outputs
 from surefoot.robot.robot_toml import suggest
 
 if TYPE_CHECKING:
     from surefoot.walk import WalkSettings
+
+REPORT_MODULE = "surefoot.walk.report"
 
 
 def walk(arguments: argparse.Namespace) -> int:
@@ -37,21 +38,10 @@ def walk(arguments: argparse.Namespace) -> int:
         raise missing_module("walk", problem) from None
     settings = read_settings(arguments)
     check_json_path(arguments.json)
-    check_report_folder(arguments.report, "walk", "surefoot.walk.report")
+    check_report_folder(arguments.report, "walk", REPORT_MODULE)
     progress = progress_bar()
     log = run_walk(settings, progress)
-    summary = summarise(log)
-    write_json(arguments.json, summary)
-    if arguments.report is not None:
-        from surefoot.walk.report import write_report
-
-        command = ["surefoot", *arguments.argv]
-        page = write_report(log, summary, Path(arguments.report), command, progress)
-    if arguments.json != "-":
-        print(summary_text(summary))
-        if arguments.report is not None:
-            print(f"  report    {page}")
-    return FELL if log.fell else 0
+    return write_outputs(arguments, log, summarise(log), summary_text, REPORT_MODULE, progress)
 
 
 def read_settings(arguments: argparse.Namespace) -> WalkSettings:
