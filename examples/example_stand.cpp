@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stand with the whole-body controller over UDP. `surefoot run` uses the same StandRunner.
+// Stand with the whole-body controller over UDP. `surefoot run` uses the same Runner.
 //   surefoot export go1 go1.robot; surefoot robot --robot go1 &
 //   example_stand go1.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]
 #include <csignal>
@@ -10,7 +10,7 @@
 
 using namespace surefoot;
 
-StandRunner* active_runner = nullptr;  // for the signal handler
+Runner* active_runner = nullptr;  // for the signal handler
 
 int main(int argc, char** argv) {
   if (argc < 2) return std::puts("usage: example_stand NAME.robot [--port N] ..."), 2;
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
       if (!std::strcmp(argv[k], "--duration")) options.duration = std::atof(argv[k + 1]);
     }
     const Robot robot = Robot::load(argv[1]);
-    StandRunner runner(robot, robot.config().gains, StandOptions(), link, options);
+    Runner runner(robot, robot.config().gains, ControllerOptions(), link, options);
     active_runner = &runner;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
       std::signal(number, [](int) { active_runner->stop(); });  // run() damps, then returns

@@ -69,7 +69,7 @@ void record_result(const Controller& controller, bool solved, CallTiming& timing
 
 Series time_ticks(const ReplayPlan& plan) {
   Series series = make_series("tick", plan);
-  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  StandController controller(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
   run_passes(plan, series, [&] {
     controller.reset();
     for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
@@ -84,7 +84,7 @@ Series time_ticks(const ReplayPlan& plan) {
 
 Series time_paced_ticks(const ReplayPlan& plan) {
   Series series = make_series("paced", kPacedTicks);
-  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  StandController controller(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
   timespec due{};
   clock_gettime(CLOCK_MONOTONIC, &due);
   count_memory(series.allocations, series.page_faults, [&] {
@@ -101,7 +101,7 @@ Series time_paced_ticks(const ReplayPlan& plan) {
 }
 
 Series time_state_to_torque(const ReplayPlan& plan) {
-  StandController stand(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  StandController stand(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
   std::vector<RobotState> states;
   std::vector<Reference> references;
   for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
@@ -133,7 +133,7 @@ std::vector<Series> time_stages(const ReplayPlan& plan) {
     stages.push_back(make_series(to_string(static_cast<Stage>(k)), plan));
     stages.back().has_cpu_time = false;
   }
-  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  StandController controller(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
   StageClock clock;
   // Pass 0 warms up; its timings are discarded at the start of pass 1.
   for (long pass = 0; pass <= passes; ++pass) {

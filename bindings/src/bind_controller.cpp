@@ -36,24 +36,25 @@ void bind_fallback_level(nb::module_& m) {
 }
 
 void bind_options(nb::module_& m) {
-  ValueClass<StandOptions>(m, "StandOptions",
-                           "Options of a Controller: fixed at construction, unlike gains.")
+  ValueClass<ControllerOptions>(m, "ControllerOptions",
+                                "Options of a Controller: fixed at construction, unlike gains.")
       .def(
           "__init__",
-          [](StandOptions* o, FieldArgument<double> motor_damping, FieldArgument<double> delay,
+          [](ControllerOptions* o, FieldArgument<double> motor_damping, FieldArgument<double> delay,
              FieldArgument<QpForm> form, FieldArgument<double> power_limit) {
-            constexpr const char* kType = "StandOptions";
-            new (o) StandOptions{motor_damping.to(kType, "motor_damping"), delay.to(kType, "delay"),
-                                 form.to(kType, "form"), power_limit.to(kType, "power_limit")};
+            constexpr const char* kType = "ControllerOptions";
+            new (o) ControllerOptions{motor_damping.to(kType, "motor_damping"),
+                                      delay.to(kType, "delay"), form.to(kType, "form"),
+                                      power_limit.to(kType, "power_limit")};
           },
           "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = QpForm::kAuto,
-          "power_limit"_a = StandOptions().power_limit,
+          "power_limit"_a = ControllerOptions().power_limit,
           "Create options; the arguments are the attributes.")
-      .def_rw("motor_damping", &StandOptions::motor_damping,
+      .def_rw("motor_damping", &ControllerOptions::motor_damping,
               "Kd of every command [N.m.s/rad], joint-side, with dq = 0; 0 .. 50.\n\n"
               "0 is pure torque mode. Robots whose knees vibrate in pure torque mode may need a\n"
               "value above 0.")
-      .def_rw("delay", &StandOptions::delay,
+      .def_rw("delay", &ControllerOptions::delay,
               "Time from a measurement to the moment when the command computed from it acts\n"
               "[s], 0 .. 0.05.\n\n"
               "identify_delay() measures this time. The controller predicts the state over this\n"
@@ -63,8 +64,9 @@ void bind_options(nb::module_& m) {
               "At 0 nothing is predicted, and the estimator compares the sample of tick k with\n"
               "the command of tick k - 3, which acted while the sample was measured: over the\n"
               "SDK's link, commands and samples each take one period.")
-      .def_rw("form", &StandOptions::form, "Form of the whole-body QP, AUTO, CONDENSED or GENERAL.")
-      .def_rw("power_limit", &StandOptions::power_limit,
+      .def_rw("form", &ControllerOptions::form,
+              "Form of the whole-body QP, AUTO, CONDENSED or GENERAL.")
+      .def_rw("power_limit", &ControllerOptions::power_limit,
               "Largest power of a command [W], > 0; inf switches the limit off.\n\n"
               "The power is sum ``|tau dq|`` with the motors' damping included, at the joint\n"
               "velocities for which the command is computed. Above the limit, the torques are\n"
@@ -95,7 +97,7 @@ void bind_controller(nb::module_& m) {
       "levels in order, see FallbackLevel. If the sample is unusable or the robot has\n"
       "fallen, the last command is repeated. If the estimate diverges, or after a gap of\n"
       "more than 100 ms, the motors damp at once. Commands have Kd > 0 only with\n"
-      "StandOptions.motor_damping, for a lost leg, and at the levels GRAVITY and\n"
+      "ControllerOptions.motor_damping, for a lost leg, and at the levels GRAVITY and\n"
       "DAMPING. At most 10 ms may pass without a solved command; then the motors damp\n"
       "(dq = 0, Kd > 0, tau = 0). This damping is latched until reset(). All times are\n"
       "measured with LowState.tick.\n\n"
@@ -104,13 +106,13 @@ void bind_controller(nb::module_& m) {
       .def(
           "__init__",
           [](Controller* self, const Robot& robot, nb::handle planner, const Gains* gains,
-             const StandOptions& options) {
+             const ControllerOptions& options) {
             new (self) Controller(robot, planner_argument(planner),
                                   gains ? *gains : robot.config().gains, options);
           },
-          "robot"_a, "planner"_a.none(), "gains"_a = nb::none(), "options"_a = StandOptions(),
+          "robot"_a, "planner"_a.none(), "gains"_a = nb::none(), "options"_a = ControllerOptions(),
           nb::sig("def __init__(self, robot: Robot, planner: Planner, gains: Gains | None = None, "
-                  "options: StandOptions = ...) -> None"),
+                  "options: ControllerOptions = ...) -> None"),
           "Create a controller.\n\n"
           "Args:\n"
           "    robot: Model and configuration, twelve joints on a free base.\n"
@@ -192,9 +194,9 @@ void bind_controller(nb::module_& m) {
           "command_power", &Controller::command_power,
           "Power sum ``|tau dq|`` [W] of the last command that was computed from a sample.\n\n"
           "The motors' damping is included. dq are the joint velocities for which the\n"
-          "command was computed: measured, or predicted over StandOptions.delay. A lost leg\n"
+          "command was computed: measured, or predicted over ControllerOptions.delay. A lost leg\n"
           "counts with its torques before they were set to zero. The power exceeds\n"
-          "StandOptions.power_limit only if the torques that hold the robot exceed this\n"
+          "ControllerOptions.power_limit only if the torques that hold the robot exceed this\n"
           "limit.")
       .def_prop_ro(
           "power_scale", &Controller::power_scale,

@@ -50,7 +50,7 @@ void bind_udp_link(nb::module_& m) {
       "has shown that the robot uses the expected generation, only damping frames are\n"
       "sent, whatever command is given. state_age is measured from the arrival of the\n"
       "LowState at this machine, so the time that a LowState waits in the socket is\n"
-      "included. Not thread-safe. For a real robot use StandRunner.")
+      "included. Not thread-safe. For a real robot use Runner.")
       .def(
           "__init__",
           [](UdpLink* self, const std::string& host, int port, const std::string& generation,

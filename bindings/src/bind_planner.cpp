@@ -90,7 +90,7 @@ void bind_planner_input(nb::module_& m) {
       .def_ro("delay", &PlannerInputCopy::delay,
               "Time from `state` until the command of this tick acts [s].\n\n"
               "The QP of a stepping robot uses the state predicted for that time, so its\n"
-              "reference is planned for it too. See StandOptions.delay.")
+              "reference is planned for it too. See ControllerOptions.delay.")
       .def_ro("mass", &PlannerInputCopy::mass, "Mass of the robot [kg].")
       .def_prop_ro("p_com", &read_only<&PlannerInputCopy::p_com>, nb::rv_policy::reference_internal,
                    "Centre of mass [m], shape (3,).")

@@ -10,7 +10,7 @@
 
 #include "bindings.hpp"
 #include "surefoot/error.hpp"
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 #include "value_class.hpp"
 
 using namespace nb::literals;
@@ -31,9 +31,8 @@ std::optional<nb::typed<nb::dict, nb::str, nb::any>> rejected_frame(const FrameR
 }
 
 void bind_snapshot(nb::module_& m) {
-  nb::class_<RunSnapshot>(
-      m, "RunSnapshot",
-      "State of a StandRunner, published every 50 ms and at every change of phase.")
+  nb::class_<RunSnapshot>(m, "RunSnapshot",
+                          "State of a Runner, published every 50 ms and at every change of phase.")
       .def_prop_ro(
           "phase", [](const RunSnapshot& s) { return to_string(s.phase); },
           "Phase of the run, in one word.\n\n"
@@ -163,7 +162,7 @@ void bind_snapshot(nb::module_& m) {
 
 // Python runs signal handlers only in its main thread and between bytecode instructions. So the
 // loop runs in a thread of its own, and the calling thread polls for signals.
-void run_and_handle_signals(StandRunner& runner) {
+void run_and_handle_signals(Runner& runner) {
   std::future<void> loop = std::async(std::launch::async, [&runner] { runner.run(); });
   const auto ended = [&loop] {
     const nb::gil_scoped_release gil_release;
@@ -180,10 +179,9 @@ void run_and_handle_signals(StandRunner& runner) {
 }
 
 void bind_runner(nb::module_& m) {
-  ValueClass<RunOptions>(
-      m, "RunOptions",
-      "Options of a StandRunner. StandRunner() raises Error if an option is out of\n"
-      "range.")
+  ValueClass<RunOptions>(m, "RunOptions",
+                         "Options of a Runner. Runner() raises Error if an option is out of\n"
+                         "range.")
       .def(
           "__init__",
           [](RunOptions* o, FieldArgument<double> rate, FieldArgument<double> duration,
@@ -226,8 +224,8 @@ void bind_runner(nb::module_& m) {
               "run().")
       .def_rw("log_time", &RunOptions::log_time,
               "Length of the history that log() returns [s], 0 .. 600. One tick takes 1.7 kB.");
-  nb::class_<StandRunner>(
-      m, "StandRunner",
+  nb::class_<Runner>(
+      m, "Runner",
       "Loop that runs a Supervisor over UDP at a fixed rate.\n\n"
       "With RunOptions.start STANDING, the runner takes over a standing robot with its\n"
       "first valid LowState. With LYING, arm() and request() arm the robot and let it\n"
@@ -241,17 +239,17 @@ void bind_runner(nb::module_& m) {
       "shorter pause the run continues with the newest LowState.")
       .def(
           "__init__",
-          [](StandRunner* self, const Robot& robot, const std::string& host, int port,
+          [](Runner* self, const Robot& robot, const std::string& host, int port,
              const std::string& generation, int local_port, const Gains* gains,
-             const StandOptions& stand, const RunOptions& options, bool real_robot) {
+             const ControllerOptions& stand, const RunOptions& options, bool real_robot) {
             const Gains& used = gains ? *gains : robot.config().gains;
-            new (self) StandRunner(
+            new (self) Runner(
                 robot, used, stand,
                 {host, port, local_port, to_generation(generation), used.damping_kd, real_robot},
                 options);
           },
           "robot"_a, "host"_a = "127.0.0.1", "port"_a = 8007, "generation"_a = "go1-v3.8",
-          "local_port"_a = 0, "gains"_a = nb::none(), "stand"_a = StandOptions(),
+          "local_port"_a = 0, "gains"_a = nb::none(), "stand"_a = ControllerOptions(),
           "options"_a = RunOptions(), "real_robot"_a = false,
           "Open the link to the robot; run() starts the loop.\n\n"
           "Args:\n"
@@ -277,41 +275,41 @@ void bind_runner(nb::module_& m) {
            "The loop runs in a thread of its own. The first Ctrl-C calls finish(), the next\n"
            "Ctrl-C calls stop(). After the loop has ended, KeyboardInterrupt is raised.\n"
            "Raises Error if run() was called before.")
-      .def("request", &StandRunner::request, "mode"_a,
+      .def("request", &Runner::request, "mode"_a,
            "Request a mode, see Supervisor.request(). From any thread. Returns the\n"
            "RequestStatus.")
-      .def("arm", &StandRunner::arm,
+      .def("arm", &Runner::arm,
            "Arm the robot, see Supervisor.arm(). From any thread. Returns the RequestStatus.")
-      .def("finish", &StandRunner::finish,
+      .def("finish", &Runner::finish,
            "End the run. With RunOptions.start LYING the robot first sits down; with\n"
            "STANDING, this is stop(). From any thread.")
-      .def("stop", &StandRunner::stop, "Damp and end the run. From any thread.")
-      .def("damp", &StandRunner::damp, "Latch damping; the run continues. From any thread.")
-      .def("heartbeat", &StandRunner::heartbeat,
+      .def("stop", &Runner::stop, "Damp and end the run. From any thread.")
+      .def("damp", &Runner::damp, "Latch damping; the run continues. From any thread.")
+      .def("heartbeat", &Runner::heartbeat,
            "Signal that the operator is present, see RunOptions.operator_timeout.\n\n"
            "From any thread except that of the loop. Real-time: yes.")
-      .def("rearm", &StandRunner::rearm,
+      .def("rearm", &Runner::rearm,
            "Call arm() and count refusals in RunSnapshot.refused_rearms. From any thread.")
-      .def("set_gains", &StandRunner::set_gains, "gains"_a,
+      .def("set_gains", &Runner::set_gains, "gains"_a,
            "Set the gains, see StandController.set_gains(); they take effect in the next\n"
            "tick.\n\n"
            "From any thread. Raises Error if a gain is invalid.")
-      .def("set_body_reference", &StandRunner::set_body_reference, "target"_a,
+      .def("set_body_reference", &Runner::set_body_reference, "target"_a,
            "Set the target pose, see StandController.set_body_reference().\n\n"
            "The target takes effect in the next tick, while the robot stands. The sticks of\n"
            "the remote add to the target. It is cleared when the robot stands up again. From\n"
            "any thread.")
-      .def("log", &StandRunner::log, nb::rv_policy::reference_internal,
+      .def("log", &Runner::log, nb::rv_policy::reference_internal,
            "Return the log of the last RunOptions.log_time seconds; not a copy.\n\n"
            "The log begins with the first LowState. It stops 5 s (at most log_time / 2)\n"
            "after the robot last moved or stood. So the ticks before damping are not\n"
            "overwritten while damping lasts. Raises Error while run() is running.")
-      .def("snapshot", &StandRunner::snapshot,
+      .def("snapshot", &Runner::snapshot,
            "Return a copy of the last published snapshot. From any thread.")
-      .def_prop_ro("real_time", &StandRunner::real_time,
+      .def_prop_ro("real_time", &Runner::real_time,
                    "Description of the scheduling and memory locking that run() got; empty\n"
                    "before run().")
-      .def_prop_ro("local_port", &StandRunner::local_port, "Local UDP port.");
+      .def_prop_ro("local_port", &Runner::local_port, "Local UDP port.");
 }
 
 }  // namespace

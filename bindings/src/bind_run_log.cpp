@@ -46,7 +46,7 @@ Bytes bytes(const RunLog& log, Struct RunTick::* member) {
 
 void bind_run_log(nb::module_& m) {
   nb::class_<RunLog>(m, "RunLog",
-                     "Last ticks of a run of a StandRunner, oldest first; n = len(log).\n\n"
+                     "Last ticks of a run of a Runner, oldest first; n = len(log).\n\n"
                      "Every array is a copy, made when the attribute is read.")
       .def("__len__", &RunLog::size)
       .def_prop_ro(

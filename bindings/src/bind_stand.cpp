@@ -73,10 +73,10 @@ void bind_stand(nb::module_& m) {
       .def(
           "__init__",
           [](StandController* self, const Robot& robot, const Gains* gains,
-             const StandOptions& options) {
+             const ControllerOptions& options) {
             new (self) StandController(robot, gains ? *gains : robot.config().gains, options);
           },
-          "robot"_a, "gains"_a = nb::none(), "options"_a = StandOptions(),
+          "robot"_a, "gains"_a = nb::none(), "options"_a = ControllerOptions(),
           "Create a controller.\n\n"
           "Args:\n"
           "    robot: Model and configuration, twelve joints on a free base.\n"

@@ -243,7 +243,7 @@ void bind_supervisor_class(nb::module_& m) {
              FieldArgument<double> arming_time, FieldArgument<double> temperature_warning,
              FieldArgument<double> temperature_stop, FieldArgument<double> battery_low,
              FieldArgument<double> payload_limit, FieldArgument<double> operator_timeout,
-             FieldArgument<double> joint_margin, FieldArgument<StandOptions> stand,
+             FieldArgument<double> joint_margin, FieldArgument<ControllerOptions> stand,
              FieldArgument<Start> start, FieldArgument<bool> remote) {
             constexpr const char* kType = "SupervisorOptions";
             new (self) SupervisorOptions{power_level.to(kType, "power_level"),
@@ -260,8 +260,8 @@ void bind_supervisor_class(nb::module_& m) {
           },
           nb::kw_only(), "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
           "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,
-          "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15, "stand"_a = StandOptions(),
-          "start"_a = Start::kLying, "remote"_a = true,
+          "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15,
+          "stand"_a = ControllerOptions(), "start"_a = Start::kLying, "remote"_a = true,
           "Create options; the arguments are the attributes.")
       .def_rw("power_level", &SupervisorOptions::power_level,
               "Level of Safety.power_protect(), 1 .. 10, which trips at 100 W times the level.\n\n"

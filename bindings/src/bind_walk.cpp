@@ -46,15 +46,15 @@ void bind_options(nb::module_& m) {
                           "Options of a WalkController: fixed at construction, unlike gains.")
       .def(
           "__init__",
-          [](WalkOptions* o, FieldArgument<StandOptions> tick,
+          [](WalkOptions* o, FieldArgument<ControllerOptions> tick,
              FieldArgument<double> velocity_timeout) {
             constexpr const char* kType = "WalkOptions";
             new (o)
                 WalkOptions{tick.to(kType, "tick"), velocity_timeout.to(kType, "velocity_timeout")};
           },
-          "tick"_a = StandOptions(), "velocity_timeout"_a = WalkOptions().velocity_timeout,
+          "tick"_a = ControllerOptions(), "velocity_timeout"_a = WalkOptions().velocity_timeout,
           "Create options; the arguments are the attributes.")
-      .def_rw("tick", &WalkOptions::tick, "Options of the tick, a StandOptions.")
+      .def_rw("tick", &WalkOptions::tick, "Options of the tick, a ControllerOptions.")
       .def_rw("velocity_timeout", &WalkOptions::velocity_timeout,
               "Age above which a commanded velocity becomes 0 [s], 0.01 .. 60.\n\n"
               "A program that ends does not leave the robot walking.");

@@ -16,7 +16,7 @@ GROUPS = {
         "walk_controller",
         "whole_body_controller",
         "supervisor",
-        "stand_runner",
+        "runner",
     ),
     "Data": (
         "low_level",

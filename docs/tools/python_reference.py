@@ -9,8 +9,8 @@ from pathlib import Path
 
 CORE_GROUPS = {
     "Controllers": (
-        "Controller StandController StandOptions WalkController WalkOptions WalkVelocity WalkLimit "
-        "Gait WholeBodyController WholeBodyOptions Supervisor SupervisorOptions StandRunner "
+        "Controller StandController ControllerOptions WalkController WalkOptions WalkVelocity "
+        "WalkLimit Gait WholeBodyController WholeBodyOptions Supervisor SupervisorOptions Runner "
         "RunOptions RunSnapshot RunLog"
     ),
     "Robots": "load_robot available_robots Robot RobotConfig motor_torque_limit motion_range",

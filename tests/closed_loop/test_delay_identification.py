@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from surefoot import BodyReference, Error, StandController, StandOptions, identify_delay
+from surefoot import BodyReference, ControllerOptions, Error, StandController, identify_delay
 from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim.truth import Truth
 
@@ -93,7 +93,7 @@ def pushed(
     """
     plant = Plant("go1", PlantSettings(extra_delay=late, foot_force="dead", seed=1))
     plant.add_push(Push(direction, share * plant.lip_push_limit(direction), 0.1, 1.0))
-    controller = StandController(plant.robot, options=StandOptions(delay=predicted_delay))
+    controller = StandController(plant.robot, options=ControllerOptions(delay=predicted_delay))
     state, truths = plant.reset(), []
     for _ in range(round(500 * seconds)):
         state = plant.step(controller.update(state))

@@ -136,7 +136,7 @@ def test_the_custom_planner_example_moves_the_body_on_a_circle(tmp_path: Path) -
 def test_example_ends_with_a_damping_command(language: str, name: str, ending: str) -> None:
     hung = ["--hung"] if name == "example_torque" else []
     words = command(name, language)
-    # With a silent robot a StandRunner keeps damping; the other examples end.
+    # With a silent robot a Runner keeps damping; the other examples end.
     stays = "stand" in words[0] and ending != "Ctrl-C"
     seconds = "5" if stays else "30"
     robot, port = start_robot(*hung)

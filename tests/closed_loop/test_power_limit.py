@@ -36,7 +36,7 @@ class Outcome:
 def pushed(name: str, direction: str, share: float, level: int, limit: float) -> Outcome:
     plant = Plant(name, PlantSettings(seed=2))
     plant.add_push(Push(direction, share * plant.lip_push_limit(direction), 0.1, 0.5))
-    options = surefoot.StandOptions(power_limit=limit)
+    options = surefoot.ControllerOptions(power_limit=limit)
     controller = surefoot.StandController(plant.robot, plant.robot.config.gains, options)
     safety, report, outcome = surefoot.Safety(plant.robot), plant.reset(), Outcome()
     for _ in range(1000):

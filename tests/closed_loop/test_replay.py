@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 import surefoot
 from plant_helpers import ROBOTS
-from surefoot import BodyReference, Mode, RequestStatus, StandOptions, SupervisorOptions
+from surefoot import BodyReference, ControllerOptions, Mode, RequestStatus, SupervisorOptions
 from surefoot.cli import main
 from surefoot.estimate import read_log
 from surefoot.messages.low_cmd_layout import LOW_CMD
@@ -39,7 +39,7 @@ print(hashlib.sha256(play(tape, surefoot.load_robot(tape.robot)).commands.tobyte
 def stood(robot: str) -> Recording:
     """Record a stand with a push, a body reference and a change of gains."""
     plant = Plant(robot, PlantSettings(seed=3), [Push("lateral", 5.0, time=0.5)])
-    recorder = Recorder(plant.robot, StandOptions(motor_damping=0.5, delay=0.002))
+    recorder = Recorder(plant.robot, ControllerOptions(motor_damping=0.5, delay=0.002))
     gains = plant.robot.config.gains
     gains.base_kp_tilt *= 0.9
     state = plant.reset()

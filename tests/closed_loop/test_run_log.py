@@ -54,7 +54,7 @@ def test_run_log_keeps_the_last_second_and_is_readable_by_estimate(tmp_path: Pat
 
 @pytest.mark.real_time
 def test_log_of_a_running_runner_is_refused() -> None:
-    runner = surefoot.StandRunner(
+    runner = surefoot.Runner(
         surefoot.load_robot("go1"),
         port=1,
         options=surefoot.RunOptions(log_time=1.0, connect_timeout=5.0),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A StandRunner over UDP: arming checks, rise, stand and sit."""
+"""A Runner over UDP: arming checks, rise, stand and sit."""
 
 from __future__ import annotations
 

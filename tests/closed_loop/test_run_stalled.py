@@ -120,7 +120,7 @@ def test_duration_counts_from_the_first_control_tick(tmp_path: Path) -> None:
 
 RUNNER = """
 import surefoot, sys
-runner = surefoot.StandRunner(surefoot.load_robot("go1"), port=int(sys.argv[1]))
+runner = surefoot.Runner(surefoot.load_robot("go1"), port=int(sys.argv[1]))
 print("running", flush=True)
 try:
     runner.run()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A lying virtual robot, stepped by the test, and a StandRunner, linked by UDP."""
+"""A lying virtual robot, stepped by the test, and a Runner, linked by UDP."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 
 import numpy as np
-from surefoot import Mode, RequestStatus, RunOptions, RunSnapshot, StandRunner, Start
+from surefoot import Mode, RequestStatus, Runner, RunOptions, RunSnapshot, Start
 from surefoot.robot.power_level import power_level
 from surefoot.sim.hardware.wire_format import MotorCommands
 from surefoot.virtual_robot import UdpPort, VirtualRobot, VirtualRobotSettings
@@ -27,10 +27,10 @@ class InterruptiblePort(UdpPort):
 
 
 class UdpLinkedRobot:
-    """A virtual robot and its StandRunner; a context manager that stops the runner.
+    """A virtual robot and its Runner; a context manager that stops the runner.
 
     Attributes:
-        runner: StandRunner, in its own thread.
+        runner: Runner, in its own thread.
         robot: Virtual robot; cycle() advances it by 1 ms in real time.
         damped: Whether the command is damping, for each cycle that received a command.
     """
@@ -39,7 +39,7 @@ class UdpLinkedRobot:
         self.port = InterruptiblePort(host, 0)
         settings = VirtualRobotSettings(robot=name, lying=True, seed=SEEDS[name])
         self.robot = VirtualRobot(settings, self.port)
-        self.runner = StandRunner(
+        self.runner = Runner(
             self.robot.plant.robot,
             *self.port.address,
             settings.generation,

@@ -78,7 +78,7 @@ struct TickCounts {
 };
 
 TickCounts run(const Robot& robot, QpForm form, double delay, std::uint32_t ticks) {
-  StandOptions options;
+  ControllerOptions options;
   options.form = form;
   options.delay = delay;
   options.power_limit = 150.0;

@@ -36,14 +36,14 @@ bool write_faulty_rows(TaskFault how, TaskRows& rows) {
 /// A standing robot whose QP fails when the test sets `task_fault`.
 struct Standing {
   Robot robot = quadruped();
-  StandOptions options;
+  ControllerOptions options;
   StandController controller;
   TaskFault task_fault = TaskFault::kNothing;
   std::uint32_t tick = 0;
   LowState report = resting_sample(robot, 0);
   LowCmd last;
 
-  explicit Standing(double power_limit = StandOptions().power_limit)
+  explicit Standing(double power_limit = ControllerOptions().power_limit)
       : options{0.0, 0.0, QpForm::kAuto, power_limit},
         controller(robot, robot.config().gains, options) {
     ControllerAccess::end_sensor_check(controller);

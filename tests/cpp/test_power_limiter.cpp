@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(holding_torques_balance_gravity) {
 
 BOOST_AUTO_TEST_CASE(controller_command_keeps_the_power_limit_or_is_saturated) {
   const Robot robot = quadruped();
-  StandOptions options;
+  ControllerOptions options;
   options.power_limit = kLimit;
   StandController free(robot), limited(robot, Gains(), options);
   for (StandController* c : {&free, &limited}) ControllerAccess::end_sensor_check(*c);

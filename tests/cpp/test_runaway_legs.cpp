@@ -87,8 +87,8 @@ struct RunawayScene {
     for (int k = 0; k < 20; ++k) step(0.0);
     along = command.motorCmd[FR_2].tau > 0.0F ? 1.0F : -1.0F;
   }
-  static StandOptions options_with_limit(double watts) {
-    StandOptions options;
+  static ControllerOptions options_with_limit(double watts) {
+    ControllerOptions options;
     options.power_limit = watts;
     return options;
   }

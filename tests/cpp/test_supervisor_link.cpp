@@ -5,7 +5,7 @@
 
 #include "robot_states.hpp"
 #include "surefoot/error.hpp"
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 
 using namespace surefoot;
 
@@ -319,7 +319,7 @@ BOOST_AUTO_TEST_CASE(real_robot_requires_arming_and_a_power_level) {
   const auto contains_text = [](const char* word) {
     return [word](const Error& e) { return std::string(e.what()).find(word) != std::string::npos; };
   };
-  const auto make = [&] { StandRunner(robot, robot.config().gains, {}, link, run); };
+  const auto make = [&] { Runner(robot, robot.config().gains, {}, link, run); };
   BOOST_CHECK_EXCEPTION(make(), Error, contains_text("arming"));
   run.start = Start::kLying;
   make();
@@ -340,7 +340,7 @@ BOOST_AUTO_TEST_CASE(runner_cannot_run_twice) {
   const Robot robot = quadruped();
   UdpLinkOptions link;
   link.port = 48123;  // no robot uses this port
-  StandRunner runner(robot, robot.config().gains, {}, link, {});
+  Runner runner(robot, robot.config().gains, {}, link, {});
   runner.stop();
   runner.run();
   BOOST_CHECK_THROW(runner.run(), Error);

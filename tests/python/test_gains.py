@@ -187,7 +187,7 @@ def test_an_estimator_refuses_bad_gains(go1) -> None:
 @pytest.mark.parametrize("damping", [-0.1, 50.1, math.nan, math.inf])
 def test_motor_damping_out_of_range_is_refused(go1, damping: float) -> None:
     with pytest.raises(Error, match="'motor_damping' out of range"):
-        surefoot.StandController(go1.robot, Gains(), surefoot.StandOptions(damping))
+        surefoot.StandController(go1.robot, Gains(), surefoot.ControllerOptions(damping))
 
 
 def test_gains_given_to_a_controller_are_copied(go1) -> None:

@@ -12,13 +12,13 @@ from surefoot import (
     FL_0,
     FR_2,
     RL_2,
+    ControllerOptions,
     Error,
     LowCmd,
     LowState,
     PosStopF,
     Safety,
     StandController,
-    StandOptions,
     Status,
 )
 
@@ -116,18 +116,22 @@ def test_controller_applies_its_power_limit_and_reports_power(go1) -> None:
     torques = [command.motorCmd[i].tau for i in range(12)]
     assert free.command_power == pytest.approx(0.4 * np.abs(torques).sum(), rel=1e-5)
     assert (free.power_scale, free.status) == (1.0, Status.OK)
-    limited = StandController(go1.robot, gains, StandOptions(power_limit=0.9 * free.command_power))
+    limited = StandController(
+        go1.robot, gains, ControllerOptions(power_limit=0.9 * free.command_power)
+    )
     limited.update(report)
     assert 0.5 < limited.power_scale < 1.0
     assert limited.status == Status.SATURATED
     assert limited.command_power == pytest.approx(0.9 * free.command_power)
-    too_low = StandController(go1.robot, gains, StandOptions(power_limit=0.1 * free.command_power))
+    too_low = StandController(
+        go1.robot, gains, ControllerOptions(power_limit=0.1 * free.command_power)
+    )
     assert too_low.update(report).to_bytes() == command.to_bytes()
     assert (too_low.command_power, too_low.power_scale) == (free.command_power, 1.0)
-    assert StandOptions().power_limit == math.inf
+    assert ControllerOptions().power_limit == math.inf
 
 
 @pytest.mark.parametrize("wrong", [0.0, -5.0, math.nan])
 def test_power_limit_must_be_positive(go1, wrong: float) -> None:
     with pytest.raises(Error, match="power_limit"):
-        StandController(go1.robot, go1.robot.config.gains, StandOptions(power_limit=wrong))
+        StandController(go1.robot, go1.robot.config.gains, ControllerOptions(power_limit=wrong))

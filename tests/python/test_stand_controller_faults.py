@@ -46,7 +46,7 @@ class Stand:
 
     def __init__(self, body, tick: int = 1000, period: int = PERIOD, **options) -> None:
         gains = options.pop("gains", body.robot.config.gains)
-        self.controller = StandController(body.robot, gains, surefoot.StandOptions(**options))
+        self.controller = StandController(body.robot, gains, surefoot.ControllerOptions(**options))
         self.good = body.resting_sample(0).to_bytes()
         self.tick, self.period = tick, period
 

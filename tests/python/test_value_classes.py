@@ -87,7 +87,7 @@ def test_the_classes_of_messages_states_gains_and_options_are_found() -> None:
     names = {kind.__name__ for kind in VALUES}
     assert {"Gains", "LowState", "LowCmd", "IMU", "MotorState", "MotorCmd", "BmsState"} <= names
     assert {"RobotState", "Reference", "FootReference", "BodyReference", "RobotConfig"} <= names
-    assert {"StandOptions", "SupervisorOptions", "RunOptions", "WholeBodyOptions"} <= names
+    assert {"ControllerOptions", "SupervisorOptions", "RunOptions", "WholeBodyOptions"} <= names
 
 
 @pytest.mark.parametrize("duplicate", COPIES.values(), ids=COPIES)
@@ -134,7 +134,7 @@ def test_repr_names_the_class_and_its_fields(kind) -> None:
 
 
 def test_a_nested_value_is_copied_with_its_owner() -> None:
-    options = surefoot.SupervisorOptions(stand=surefoot.StandOptions(delay=0.01))
+    options = surefoot.SupervisorOptions(stand=surefoot.ControllerOptions(delay=0.01))
     twin = copy.copy(options)
     twin.stand.delay = 0.02
     assert (options.stand.delay, twin.stand.delay) == (0.01, 0.02)
@@ -325,13 +325,13 @@ def test_other_fields_refuse_wrong_types_by_name(kind, name) -> None:
 
 
 def test_messages_name_range_and_enumerators() -> None:
-    state, options = surefoot.LowState(), surefoot.StandOptions()
+    state, options = surefoot.LowState(), surefoot.ControllerOptions()
     with pytest.raises(
         TypeError, match=r"BmsState.SOC: got 300 \(int\), expected a whole number 0"
     ):
         state.bms.SOC = 300
     with pytest.raises(
-        TypeError, match=r"StandOptions.form: got 'dense' .*AUTO, CONDENSED, GENERAL"
+        TypeError, match=r"ControllerOptions.form: got 'dense' .*AUTO, CONDENSED, GENERAL"
     ):
         options.form = "dense"
     with pytest.raises(TypeError, match=r"RobotConfig.joint_names: .*a list of 12, each a text"):
@@ -342,7 +342,7 @@ def test_messages_name_range_and_enumerators() -> None:
     ("kind", "arguments"),
     [
         (surefoot.BodyReference, {"yaw": "left"}),
-        (surefoot.StandOptions, {"delay": "soon"}),
+        (surefoot.ControllerOptions, {"delay": "soon"}),
         (surefoot.SupervisorOptions, {"stand": surefoot.Gains()}),
         (surefoot.RunOptions, {"power_level": 1.5}),
         (surefoot.WholeBodyOptions, {"form": 3}),

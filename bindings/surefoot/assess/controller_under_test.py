@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
-from surefoot._core import Error, Robot, StandController, StandOptions
+from surefoot._core import ControllerOptions, Error, Robot, StandController
 from surefoot.assess.checked_controller import (
     ControlFunction,
     ControllerFailure,
@@ -28,7 +28,7 @@ BUILT_IN_CONTROLLERS = ("surefoot", *REFERENCE_CONTROLLERS)
 # [s] For delays up to this value "surefoot" does not predict, because prediction amplifies noise.
 # Derived: two control periods (4 ms), a latency of 5 ms, and 0.5 ms of rounding.
 _MIN_PREDICTED_DELAY = 0.0095
-_MAX_PREDICTED_DELAY = 0.05  # [s] upper limit of StandOptions.delay
+_MAX_PREDICTED_DELAY = 0.05  # [s] upper limit of ControllerOptions.delay
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ def make_stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -
         gains: All gains by name; empty: the robot's own gains.
     """
     # Over a few ticks, the amplified sensor noise of a prediction costs more than the delay.
-    options = StandOptions(
+    options = ControllerOptions(
         delay=min(delay, _MAX_PREDICTED_DELAY) if delay > _MIN_PREDICTED_DELAY else 0.0
     )
     return StandController(robot, gains_from_values(gains) if gains else None, options)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from surefoot._core import Mode, RequestStatus, RunSnapshot, StandRunner
+from surefoot._core import Mode, RequestStatus, Runner, RunSnapshot
 
 
 class AutomaticRise:
@@ -15,7 +15,7 @@ class AutomaticRise:
         runner: The runner that receives the requests.
     """
 
-    def __init__(self, runner: StandRunner) -> None:
+    def __init__(self, runner: Runner) -> None:
         self._runner = runner
         self._rise_requested = self._rising = False
 

@@ -8,12 +8,12 @@ import sys
 from collections.abc import Callable
 
 from surefoot._core import (
+    ControllerOptions,
     Error,
     Robot,
     RunLog,
+    Runner,
     RunOptions,
-    StandOptions,
-    StandRunner,
     Start,
 )
 from surefoot.cli.output_files import check_json_path, write_json
@@ -102,7 +102,7 @@ def _check_operator(arguments: argparse.Namespace) -> None:
         )
 
 
-def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str]:
+def _make_runner(arguments: argparse.Namespace) -> tuple[Runner, Robot, str]:
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # not None, because a default robot is given
     robot = build_robot(description)
@@ -118,14 +118,14 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str
         operator_timeout=arguments.operator_timeout,
         log_time=0.0 if arguments.log is None else arguments.log_time or LOG_TIME,
     )
-    stand = StandOptions(
+    stand = ControllerOptions(
         motor_damping=arguments.motor_damping,
         delay=arguments.predict_ms / 1000.0,
         form=read_form(arguments.form),
     )
     if arguments.power_limit is not None:
         stand.power_limit = arguments.power_limit
-    runner = StandRunner(
+    runner = Runner(
         robot,
         arguments.host,
         arguments.port,

@@ -1,4 +1,4 @@
-"""Supervision of a StandRunner: passes signals and keys to its loop and prints its state."""
+"""Supervision of a Runner: passes signals and keys to its loop and prints its state."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import threading
 import time
 from collections.abc import Callable
 
-from surefoot._core import Robot, RunSnapshot, StandRunner
+from surefoot._core import Robot, Runner, RunSnapshot
 from surefoot.cli.automatic_rise import AutomaticRise
 from surefoot.cli.run_operator import ArmingMonitor, Operator
 from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
@@ -25,7 +25,7 @@ _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 def supervise(
-    runner: StandRunner,
+    runner: Runner,
     robot: Robot,
     print_line: Callable[[str], None],
     rise: bool = False,
@@ -33,7 +33,7 @@ def supervise(
 ) -> RunSnapshot:
     """Run the control loop in its own thread; poll loop, keyboard and signals from this thread.
 
-    SIGINT, SIGTERM and SIGHUP finish the run: see StandRunner.finish(). A second one of these
+    SIGINT, SIGTERM and SIGHUP finish the run: see Runner.finish(). A second one of these
     signals damps at once. SIGUSR1 arms again. SIGQUIT damps at once.
 
     Args:
@@ -79,7 +79,7 @@ class _RunMonitor:
     """Printer of changes of the robot's state, and of one status line per second."""
 
     def __init__(
-        self, runner: StandRunner, robot: Robot, rise: bool, print_line: Callable[[str], None]
+        self, runner: Runner, robot: Robot, rise: bool, print_line: Callable[[str], None]
     ) -> None:
         self._runner, self._print_line = runner, print_line
         self._link_warnings, self._fault_monitor = (
@@ -93,7 +93,7 @@ class _RunMonitor:
         self._rise_failed = self._ending = False
 
     def end(self) -> None:
-        """Finish the run, see StandRunner.finish(); a second call damps at once."""
+        """Finish the run, see Runner.finish(); a second call damps at once."""
         if self._ending:
             self._runner.stop()
         self._ending = True

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, RunSnapshot, StandRunner
+from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, Runner, RunSnapshot
 from surefoot.cli.run_keyboard import KeyboardLines
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.system.terminal import has_keyboard
@@ -43,7 +43,7 @@ class Operator:
     """
 
     def __init__(
-        self, runner: StandRunner, robot: Robot, rise: bool, print_line: Callable[[str], None]
+        self, runner: Runner, robot: Robot, rise: bool, print_line: Callable[[str], None]
     ) -> None:
         self._runner, self._robot, self._rise, self._print_line = runner, robot, rise, print_line
         self._keys = KeyboardLines(print_line)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import Any, TypeVar
 
-from surefoot._core import Error, StandOptions
+from surefoot._core import ControllerOptions, Error
 
 Options = TypeVar("Options")
 
@@ -13,7 +13,7 @@ Options = TypeVar("Options")
 def json_options(options: Any) -> dict[str, Any]:
     """Return all options as JSON values by name; the value of an enum is its name.
 
-    Nested StandOptions become a dict.
+    Nested ControllerOptions become a dict.
     """
     return {name: _json_value(getattr(options, name)) for name in _names(options)}
 
@@ -39,8 +39,8 @@ def options_from_json(values: dict[str, Any], options: Options) -> Options:
         )
     for name, value in values.items():
         current = getattr(options, name)
-        if isinstance(current, StandOptions):
-            value = options_from_json(value, StandOptions())
+        if isinstance(current, ControllerOptions):
+            value = options_from_json(value, ControllerOptions())
         elif isinstance(current, Enum):
             if value not in type(current).__members__:
                 names = ", ".join(type(current).__members__)
@@ -55,6 +55,6 @@ def _names(options: Any) -> list[str]:
 
 
 def _json_value(value: Any) -> Any:
-    if isinstance(value, StandOptions):
+    if isinstance(value, ControllerOptions):
         return json_options(value)
     return value.name if isinstance(value, Enum) else value

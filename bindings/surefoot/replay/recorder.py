@@ -26,7 +26,7 @@ class Recorder:
 
     Args:
         robot: Model of the robot.
-        options: StandOptions for a StandController, SupervisorOptions for a Supervisor.
+        options: ControllerOptions for a StandController, SupervisorOptions for a Supervisor.
         gains: Gains of the controller; None: the robot's own gains.
 
     Raises:

@@ -9,11 +9,11 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import (
+    ControllerOptions,
     Error,
     Gains,
     Robot,
     StandController,
-    StandOptions,
     Supervisor,
     SupervisorOptions,
 )
@@ -22,11 +22,11 @@ from surefoot.replay.options_json import json_options, options_from_json
 from surefoot.robot.gain_files import gain_values, gains_from_values
 
 Bytes = npt.NDArray[np.uint8]
-Options = StandOptions | SupervisorOptions
+Options = ControllerOptions | SupervisorOptions
 Controller = StandController | Supervisor
 
 _CONTROLLERS: dict[str, tuple[type[Controller], type[Options]]] = {
-    "StandController": (StandController, StandOptions),
+    "StandController": (StandController, ControllerOptions),
     "Supervisor": (Supervisor, SupervisorOptions),
 }
 
@@ -114,7 +114,7 @@ def controller_kind(options: Options) -> str:
     """Return the kind of the controller that has these options.
 
     Raises:
-        Error: `options` is neither StandOptions nor SupervisorOptions.
+        Error: `options` is neither ControllerOptions nor SupervisorOptions.
     """
     for kind, (_, options_class) in _CONTROLLERS.items():
         if isinstance(options, options_class):

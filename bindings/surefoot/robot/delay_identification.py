@@ -1,4 +1,4 @@
-"""Identification of the command delay from a log, for StandOptions.delay."""
+"""Identification of the command delay from a log, for ControllerOptions.delay."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def identify_delay(
         max_delay: Longest delay to search [s].
 
     Returns:
-        Delay [s] for StandOptions(delay=...).
+        Delay [s] for ControllerOptions(delay=...).
 
     Raises:
         Error: The shapes differ, the log is too short, the motion is too small, or no delay

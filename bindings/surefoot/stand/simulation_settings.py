@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Gains, QpForm, StandOptions
+from surefoot._core import ControllerOptions, Error, Gains, QpForm
 from surefoot.robot.description import RobotDescription
 from surefoot.sim import PlantSettings
 from surefoot.stand.push_request import PushRequest
@@ -66,9 +66,9 @@ class SimulationSettings:
             )
 
     @property
-    def options(self) -> StandOptions:
+    def options(self) -> ControllerOptions:
         """Options of the controller's tick."""
-        return StandOptions(self.motor_damping, self.predicted_delay, self.form)
+        return ControllerOptions(self.motor_damping, self.predicted_delay, self.form)
 
     @property
     def ticks(self) -> int:

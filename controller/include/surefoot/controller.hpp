@@ -16,7 +16,7 @@
 namespace surefoot {
 
 /// Options of a Controller: fixed at construction, unlike gains.
-struct StandOptions {
+struct ControllerOptions {
   /// [N.m.s/rad] Kd of every command, joint-side, with dq = 0; 0 .. 50. 0 is pure torque mode.
   /// Robots whose knees vibrate in pure torque mode may need a value above 0.
   double motor_damping = 0.0;
@@ -60,9 +60,9 @@ struct StandOptions {
 /// If the solve fails or the reference is invalid, the tick tries the fallback levels in order, see
 /// FallbackLevel. If the sample is unusable or the robot has fallen, the last command is repeated.
 /// If the estimate diverges, or after a gap of more than 100 ms, the motors damp at once. Commands
-/// have Kd > 0 only with StandOptions::motor_damping, for a lost leg, and at the levels kGravity
-/// and kDamping. At most 10 ms may pass without a solved command; then damping is latched until
-/// reset(): dq = 0, Kd > 0, tau = 0. All times are measured by LowState::tick.
+/// have Kd > 0 only with ControllerOptions::motor_damping, for a lost leg, and at the levels
+/// kGravity and kDamping. At most 10 ms may pass without a solved command; then damping is latched
+/// until reset(): dq = 0, Kd > 0, tau = 0. All times are measured by LowState::tick.
 ///
 /// Assumes twelve joints on a free base, spherical feet, and one ground plane under all stance
 /// feet. Not thread-safe.
@@ -74,7 +74,7 @@ class Controller {
   Controller(const Robot& robot, std::shared_ptr<Planner> planner);
   /// The same with other gains than RobotConfig::gains.
   Controller(const Robot& robot, std::shared_ptr<Planner> planner, const Gains& gains,
-             const StandOptions& options = {});
+             const ControllerOptions& options = {});
   virtual ~Controller();
   /// Take over the content of another Controller, which may only be destroyed afterwards.
   Controller(Controller&&) noexcept;
@@ -126,14 +126,14 @@ class Controller {
       const noexcept;  ///< [N] see StateEstimator, same name
   /// [W] Power sum |tau dq| of the last command that was computed from a sample, with the motors'
   /// damping included. dq are the joint velocities for which the command was computed: measured, or
-  /// predicted over StandOptions::delay. A lost leg counts with its torques before they were set to
-  /// zero. The power exceeds StandOptions::power_limit only if the torques that hold the robot
-  /// exceed that limit.
+  /// predicted over ControllerOptions::delay. A lost leg counts with its torques before they were
+  /// set to zero. The power exceeds ControllerOptions::power_limit only if the torques that hold
+  /// the robot exceed that limit.
   double command_power() const noexcept;
-  /// Scale s, 0 .. 1, by which StandOptions::power_limit reduced the torques of the last good tick:
-  /// tau = tau_hold + s (tau_QP - tau_hold). Below 1, status() is kSaturated, and solution() still
-  /// has the torques of the QP. If only a runaway leg was limited, status() is kSaturated and s
-  /// is 1.
+  /// Scale s, 0 .. 1, by which ControllerOptions::power_limit reduced the torques of the last good
+  /// tick: tau = tau_hold + s (tau_QP - tau_hold). Below 1, status() is kSaturated, and solution()
+  /// still has the torques of the QP. If only a runaway leg was limited, status() is kSaturated and
+  /// s is 1.
   double power_scale() const noexcept;
   const Gains& gains() const noexcept;         ///< gains last set, see set_gains()
   const Gains& active_gains() const noexcept;  ///< gains of the last tick, which approach gains()

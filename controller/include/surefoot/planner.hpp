@@ -15,9 +15,9 @@ struct PlannerInput {
   const Gains& gains;        ///< gains of this tick
   const Dynamics& dynamics;  ///< kinematics and dynamics at `state`; opaque outside the library
   double dt;                 ///< [s] time since the last good tick, at most 0.01
-  /// [s] Time from `state` until the command of this tick acts, see StandOptions::delay. The QP of
-  /// a stepping robot uses the state predicted for that time, so its reference is planned for it
-  /// too.
+  /// [s] Time from `state` until the command of this tick acts, see ControllerOptions::delay. The
+  /// QP of a stepping robot uses the state predicted for that time, so its reference is planned for
+  /// it too.
   double delay;
   double mass;           ///< [kg] mass of the robot
   Vector3 p_com;         ///< [m] centre of mass

@@ -11,7 +11,7 @@
 
 namespace surefoot {
 
-/// One tick of a StandRunner: its newest sample and its command.
+/// One tick of a Runner: its newest sample and its command.
 struct RunTick {
   double time = 0.0;                       ///< [s] since run() began
   bool has_new_state = false;              ///< true if `state` arrived in this tick

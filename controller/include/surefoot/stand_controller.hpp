@@ -21,7 +21,7 @@ class StandController : public Controller {
   /// robot does not have twelve joints on a free base, or if a gain or an option is invalid.
   explicit StandController(const Robot& robot);
   /// The same with other gains than RobotConfig::gains.
-  StandController(const Robot& robot, const Gains& gains, const StandOptions& options = {});
+  StandController(const Robot& robot, const Gains& gains, const ControllerOptions& options = {});
   ~StandController() override;
   /// Take over the content of another StandController, which may only be destroyed afterwards.
   StandController(StandController&&) noexcept;
@@ -41,7 +41,7 @@ class StandController : public Controller {
 
  private:
   StandController(const Robot& robot, std::shared_ptr<StandPlanner> planner, const Gains& gains,
-                  const StandOptions& options);
+                  const ControllerOptions& options);
   std::shared_ptr<StandPlanner> planner_;
 };
 

@@ -32,7 +32,7 @@ struct SupervisorOptions {
   /// kJointStop. Negative: distance by which joints may exceed their limits. A fully folded calf
   /// rests on its stop, beyond the limits.
   double joint_margin = -0.15;
-  StandOptions stand;           ///< options of the StandController
+  ControllerOptions stand;      ///< options of the StandController
   Start start = Start::kLying;  ///< state of the robot at the first sample
   bool remote = true;           ///< true: button B on the remote stops the robot
 
@@ -82,7 +82,7 @@ class Supervisor {
   /// Compute the command of a period without a new LowState: the last command while it is at most
   /// 10 ms old, and damping after that. After 20 ms requests are refused until update() is called
   /// again. This function latches damping only after stop(). To latch damping after a long gap,
-  /// call report_link_lost(), as StandRunner does. Real-time: yes.
+  /// call report_link_lost(), as Runner does. Real-time: yes.
   /// @param age [s] age of the newest LowState, measured by the caller; negative and NaN count as
   /// too old
   /// @return the command to send

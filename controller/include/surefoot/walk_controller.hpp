@@ -12,7 +12,7 @@ class WalkPlanner;
 
 /// Options of a WalkController: fixed at construction, unlike gains.
 struct WalkOptions {
-  StandOptions tick = {};  ///< options of the tick
+  ControllerOptions tick = {};  ///< options of the tick
   /// [s] Age above which a commanded velocity becomes 0, 0.01 .. 60: a program that ends does not
   /// leave the robot walking.
   double velocity_timeout = 0.5;

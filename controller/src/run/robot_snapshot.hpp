@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 
 namespace surefoot {
 

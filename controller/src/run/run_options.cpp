@@ -3,7 +3,7 @@
 
 #include "common/text.hpp"
 #include "surefoot/error.hpp"
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 
 namespace surefoot {
 

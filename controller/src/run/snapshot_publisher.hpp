@@ -5,7 +5,7 @@
 #include <string>
 
 #include "run/latency_histogram.hpp"
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 
 namespace surefoot {
 

@@ -12,10 +12,10 @@ namespace surefoot {
 StandController::StandController(const Robot& robot)
     : StandController(robot, robot.config().gains) {}
 StandController::StandController(const Robot& robot, const Gains& gains,
-                                 const StandOptions& options)
+                                 const ControllerOptions& options)
     : StandController(robot, std::make_shared<StandPlanner>(robot), gains, options) {}
 StandController::StandController(const Robot& robot, std::shared_ptr<StandPlanner> planner,
-                                 const Gains& gains, const StandOptions& options)
+                                 const Gains& gains, const ControllerOptions& options)
     : Controller(robot, planner, gains, options), planner_(std::move(planner)) {}
 StandController::~StandController() = default;
 StandController::StandController(StandController&&) noexcept = default;

@@ -29,8 +29,8 @@ double protection_power(const SupervisorOptions& options) {
 
 // Return the options of the StandController, with power_limit below the power at which the power
 // protection trips.
-StandOptions within_power(const SupervisorOptions& options) {
-  StandOptions stand = options.stand;
+ControllerOptions within_power(const SupervisorOptions& options) {
+  ControllerOptions stand = options.stand;
   if (options.power_level > 0) {
     stand.power_limit = std::min(stand.power_limit, kStandShare * protection_power(options));
   }

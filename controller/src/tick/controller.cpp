@@ -9,7 +9,7 @@ namespace surefoot {
 Controller::Controller(const Robot& robot, std::shared_ptr<Planner> planner)
     : Controller(robot, std::move(planner), robot.config().gains) {}
 Controller::Controller(const Robot& robot, std::shared_ptr<Planner> planner, const Gains& gains,
-                       const StandOptions& options)
+                       const ControllerOptions& options)
     : impl_(std::make_unique<Impl>(robot, std::move(planner), gains, options)) {}
 Controller::~Controller() = default;
 Controller::Controller(Controller&&) noexcept = default;

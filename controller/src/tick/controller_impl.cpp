@@ -20,7 +20,7 @@ const Robot& require_twelve_joints(const Robot& robot) {
 }  // namespace
 
 Controller::Impl::Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& g,
-                       const StandOptions& o)
+                       const ControllerOptions& o)
     : robot(require_twelve_joints(r)),
       options((o.validate(), o)),
       estimator(r),

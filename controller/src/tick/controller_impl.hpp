@@ -19,13 +19,13 @@ namespace surefoot {
 /// Components of the Controller, and its tick: estimate the state from a LowState, plan the
 /// reference, solve the QP, limit the torques, and choose the LowCmd to send.
 struct Controller::Impl {
-  Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& g, const StandOptions& o);
+  Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& g, const ControllerOptions& o);
 
   const LowCmd& tick(const LowState& low_state) noexcept;
   void apply_gains(const Gains& gains) noexcept;
 
   Robot robot;
-  StandOptions options;
+  ControllerOptions options;
   TickClock clock;
   StateEstimator estimator;
   SensorCheck sensor_check;

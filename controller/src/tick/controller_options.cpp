@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-void StandOptions::validate() const {
+void ControllerOptions::validate() const {
   // The limit of 50 is that of the gain damping_kd.
   if (!(motor_damping >= 0.0 && motor_damping <= 50.0)) {
     throw Error("option 'motor_damping' out of range: got " + to_text(motor_damping) +

@@ -8,8 +8,8 @@ namespace surefoot {
 namespace {
 // Number of stored commands. Derived: more than the 50 commands in kMaxDelay at 1 kHz.
 constexpr int kCapacity = 64;
-// [periods] Delay that is assumed if StandOptions::delay is 0. Derived: a sample is one period old
-// when it arrives, and the command computed from it acts one period later.
+// [periods] Delay that is assumed if ControllerOptions::delay is 0. Derived: a sample is one period
+// old when it arrives, and the command computed from it acts one period later.
 constexpr double kDefaultDelayPeriods = 2.0;
 constexpr double kTimeTolerance = 1e-6;  // [s] numerical: rounding of summed periods
 }  // namespace

@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any
 
-from surefoot._core import Error, QpForm, QpProblem, StandController, StandOptions, is_usable
+from surefoot._core import ControllerOptions, Error, QpForm, QpProblem, StandController, is_usable
 from surefoot.bench.problems.qp_sequence import QpSequence, make_qp_sequence
 from surefoot.bench.problems.scenarios import SCENARIOS, Scenario
 from surefoot.bench.problems.three_legged_stance import run_three_legged_stance
@@ -73,7 +73,9 @@ def stand_problems(
     """Yield (tick, QP) of the stand controller; end when the robot falls."""
     plant = scenario.make_plant(robot, rate, seed)
     assumed_robot = scenario.controller_robot(plant.robot)
-    controller = StandController(assumed_robot, assumed_robot.config.gains, StandOptions(form=form))
+    controller = StandController(
+        assumed_robot, assumed_robot.config.gains, ControllerOptions(form=form)
+    )
     low_state = plant.reset()
     for tick in range(round(scenario.duration * rate)):
         scenario.apply_reference(controller, tick / rate)

@@ -1,4 +1,4 @@
-"""Control process: runs a StandRunner in its own process, so that the page cannot delay it."""
+"""Control process: runs a Runner in its own process, so that the page cannot delay it."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ import numpy.typing as npt
 from surefoot._core import (
     Error,
     Mode,
+    Runner,
     RunOptions,
     RunSnapshot,
-    StandRunner,
 )
 from surefoot.geometry.rotations import Array
 from surefoot.reports.damping_reason import damping_reason
@@ -27,7 +27,7 @@ from surefoot.robot.loading import build_robot
 from surefoot.tune.live.controller_metrics import body_reference
 from surefoot.tune.live.metric_curves import TickMetrics
 
-# Derived: the period of published snapshots (kPublishPeriod in stand_runner.cpp).
+# Derived: the period of published snapshots (kPublishPeriod in runner.cpp).
 STATUS_PERIOD = 0.05  # [s] time between two RunnerStatus messages
 _FIRST_STATE_TIMEOUT = 1e6  # [s] no limit: the robot may be switched on long after the page
 
@@ -144,15 +144,15 @@ def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
 
 def _make_runner(
     description: RobotDescription, address: RobotAddress, values: dict[str, float]
-) -> StandRunner:
+) -> Runner:
     options = RunOptions(power_level=address.power_level, connect_timeout=_FIRST_STATE_TIMEOUT)
     endpoint = (address.host, address.port, address.generation)
-    return StandRunner(
+    return Runner(
         build_robot(description), *endpoint, gains=gains_from_values(values), options=options
     )
 
 
-def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
+def _handle_message(pipe: Connection, runner: Runner) -> bool:
     """Wait up to STATUS_PERIOD for a message and handle it.
 
     Return False after the message "stop", or if the page has ended.

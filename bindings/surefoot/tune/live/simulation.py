@@ -6,7 +6,7 @@ from time import thread_time
 
 import numpy as np
 
-from surefoot._core import Gains, LowState, StandController, StandOptions, is_usable
+from surefoot._core import ControllerOptions, Gains, LowState, StandController, is_usable
 from surefoot.geometry.rotations import Array
 from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, Push
@@ -152,7 +152,7 @@ class Simulation:
         """Do nothing: a simulation needs no closing."""
 
     def _start_stand(self, plant: Plant, state: LowState) -> None:
-        options = StandOptions(delay=self.world.predicted_ms / 1000.0)
+        options = ControllerOptions(delay=self.world.predicted_ms / 1000.0)
         self.controller = StandController(plant.robot, self.editor.gains, options)
         self.controller.set_body_reference(body_reference(self._reference))
         self.plant = plant

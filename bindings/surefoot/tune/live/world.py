@@ -20,7 +20,8 @@ class World:
         payload_kg: Payload on the trunk, unknown to the controller [kg].
         delay_ms: Extra delay of commands [ms]. Real sensors also delay commands and samples by one
             control period each.
-        predicted_ms: Delay that the controller compensates by prediction (StandOptions.delay) [ms].
+        predicted_ms: Delay that the controller compensates by prediction [ms], see
+            ControllerOptions.delay.
         sensors: "real" or "ideal".
         foot_force: "est" (footForceEst and footForce work), "raw" (only footForce), "dead" (both
             zero) or "robot" ("est" or "dead", as the robot's TOML states).

@@ -41,8 +41,8 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
 }
 
 // Compute the time constant as a share of push_time. If the actual delay of the robot exceeds
-// StandOptions::delay, the body can sway, and the innovations stay large. A shortened time constant
-// would sustain this oscillation. So the time constant is shortened for at most
+// ControllerOptions::delay, the body can sway, and the innovations stay large. A shortened time
+// constant would sustain this oscillation. So the time constant is shortened for at most
 // kMaxInnovationTime. While the robot is lifted, the time constant is not shortened at all, because
 // the feet cannot exert the planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "run/remote_reference.hpp"
-#include "run/stand_loop.hpp"
+#include "run/run_loop.hpp"
 
 namespace surefoot {
 
@@ -15,22 +15,22 @@ bool is_finite(const BodyReference& r) {
 
 }  // namespace
 
-void StandLoop::rearm() noexcept {
+void RunLoop::rearm() noexcept {
   const RequestStatus status = supervisor_.arm();
   refused_rearms_ += status == RequestStatus::kNoState || status == RequestStatus::kNotReady;
 }
 
-void StandLoop::damp() noexcept {
+void RunLoop::damp() noexcept {
   damp_requested_.store(true);
   supervisor_.stop();
 }
 
-void StandLoop::set_gains(const Gains& gains) {
+void RunLoop::set_gains(const Gains& gains) {
   gains.validate();
   gains_mailbox_.put(gains);
 }
 
-void StandLoop::apply_requests() noexcept {
+void RunLoop::apply_requests() noexcept {
   if (gains_mailbox_.take(gains_)) {
     supervisor_.set_gains(gains_);  // validated in set_gains()
     damping_ = damping_low_cmd(gains_.damping_kd);
@@ -43,7 +43,7 @@ void StandLoop::apply_requests() noexcept {
   if (is_finite(requested_pose)) requested_pose_ = requested_pose;
 }
 
-void StandLoop::apply_remote_sticks() noexcept {
+void RunLoop::apply_remote_sticks() noexcept {
   const WirelessRemote remote = decode_wireless_remote(link_.state().wirelessRemote);
   const BodyReference sticks = remote_reference(remote);
   supervisor_.set_body_reference(

@@ -5,20 +5,20 @@
 
 #include "run/mailbox.hpp"
 #include "run/silence_detector.hpp"
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 
 namespace surefoot {
 
-/// One tick of a StandRunner's loop: receives samples, chooses the command to send, and records why
+/// One tick of a Runner's loop: receives samples, chooses the command to send, and records why
 /// the robot damps or the run ends. The class reads no clock, because the caller passes the time.
 ///
 /// The Supervisor decides what the robot does. The loop decides whether the link to the robot
 /// works, and when the run ends.
-class StandLoop {
+class RunLoop {
  public:
-  /// Throw surefoot::Error under the conditions of StandRunner.
-  StandLoop(const Robot& robot, const Gains& gains, const StandOptions& stand,
-            const UdpLinkOptions& link, const RunOptions& options);
+  /// Throw surefoot::Error under the conditions of Runner.
+  RunLoop(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
+          const UdpLinkOptions& link, const RunOptions& options);
 
   /// Receive samples, compute the command and send it. Real-time: yes.
   /// @param time time since the loop began [s]

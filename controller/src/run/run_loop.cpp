@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/stand_loop.hpp"
+#include "run/run_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ const RunOptions& checked_options(const RunOptions& options, const UdpLinkOption
   return options;
 }
 
-SupervisorOptions supervisor_options(const RunOptions& options, const StandOptions& stand) {
+SupervisorOptions supervisor_options(const RunOptions& options, const ControllerOptions& stand) {
   SupervisorOptions out;
   out.power_level = options.power_level;
   out.start = options.start;
@@ -47,8 +47,8 @@ SupervisorOptions supervisor_options(const RunOptions& options, const StandOptio
 
 }  // namespace
 
-StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions& stand,
-                     const UdpLinkOptions& link, const RunOptions& options)
+RunLoop::RunLoop(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
+                 const UdpLinkOptions& link, const RunOptions& options)
     : options_(checked_options(options, link)),
       supervisor_(robot, gains, supervisor_options(options, stand)),
       link_(link),
@@ -57,7 +57,7 @@ StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions&
       damping_(damping_low_cmd(gains.damping_kd)),
       log_(static_cast<std::size_t>(std::ceil(options.log_time * options.rate))) {}
 
-void StandLoop::tick(double time, double elapsed) noexcept {
+void RunLoop::tick(double time, double elapsed) noexcept {
   snapshot_.time = time;
   apply_requests();
   const bool has_new_state = link_.receive();
@@ -77,7 +77,7 @@ void StandLoop::tick(double time, double elapsed) noexcept {
   if (finish_requested_.load() && !ended()) sit_down_and_end();
 }
 
-void StandLoop::wait_for_robot() noexcept {
+void RunLoop::wait_for_robot() noexcept {
   send_damping();
   if (link_.counts().wrong_generation >= kMaxWrongGenerationFrames) {
     end(RunReason::kWrongGeneration);
@@ -86,7 +86,7 @@ void StandLoop::wait_for_robot() noexcept {
   }
 }
 
-void StandLoop::supervise(bool has_new_state, double elapsed) noexcept {
+void RunLoop::supervise(bool has_new_state, double elapsed) noexcept {
   snapshot_.ticks += snapshot_.phase != RunPhase::kDamping;
   count_samples();
   if (elapsed > kRobotWatchdogTime) {
@@ -108,19 +108,19 @@ void StandLoop::supervise(bool has_new_state, double elapsed) noexcept {
 }
 
 // Return whether a robot with start kStanding lies. The estimator's height is above its feet.
-bool StandLoop::lies() const noexcept {
+bool RunLoop::lies() const noexcept {
   const double height = supervisor_.stand_controller().state().q[2];
   return options_.start == Start::kStanding && height < kLyingShare * standing_height_;
 }
 
-void StandLoop::send(const LowCmd& command, bool has_new_state) noexcept {
+void RunLoop::send(const LowCmd& command, bool has_new_state) noexcept {
   link_.send(command);
   log(command, has_new_state);
 }
 
 // The supervisor receives only the newest sample of a tick. So the link's counts of all samples are
 // passed to the supervisor too.
-void StandLoop::count_samples() noexcept {
+void RunLoop::count_samples() noexcept {
   const LinkCounts& counts = link_.counts();
   supervisor_.count_samples(static_cast<double>(counts.valid - counted_valid_),
                             static_cast<double>(counts.lost) - static_cast<double>(counted_lost_));
@@ -128,7 +128,7 @@ void StandLoop::count_samples() noexcept {
   counted_lost_ = counts.lost;
 }
 
-const LowCmd& StandLoop::control(const LowState& state) noexcept {
+const LowCmd& RunLoop::control(const LowState& state) noexcept {
   silence_detector_.on_sample(snapshot_.time, state.tick);
   if (options_.remote) apply_remote_sticks();
   const LowCmd& command = supervisor_.update(state);
@@ -147,7 +147,7 @@ const LowCmd& StandLoop::control(const LowState& state) noexcept {
 
 // Return the command for a tick without a new sample. As the silence grows, this is the last
 // command, then damping, and finally latched damping.
-const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexcept {
+const LowCmd& RunLoop::update_without_state(double age, double elapsed) noexcept {
   snapshot_.ticks_without_state += snapshot_.phase != RunPhase::kDamping;
   const LowCmd& command = supervisor_.update_without_state(age);
   if (robot_silent_ && !silence_detector_.recoverable(snapshot_.time))
@@ -162,7 +162,7 @@ const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexce
 
 // Handle the first sample after a silence. If the robot's clock paused during the silence, resume
 // control; otherwise report the link as lost.
-void StandLoop::resume_or_report_lost() noexcept {
+void RunLoop::resume_or_report_lost() noexcept {
   if (supervisor_.armed() &&
       silence_detector_.robot_clock_paused(snapshot_.time, link_.state().tick)) {
     robot_silent_ = false;
@@ -172,14 +172,14 @@ void StandLoop::resume_or_report_lost() noexcept {
   }
 }
 
-void StandLoop::report_link_lost(RunReason why) noexcept {
+void RunLoop::report_link_lost(RunReason why) noexcept {
   link_loss_reason_ = why;
   robot_silent_ = false;
   counted_restarts_ = link_.counts().restarts;
   supervisor_.report_link_lost();
 }
 
-void StandLoop::sit_down_and_end() noexcept {
+void RunLoop::sit_down_and_end() noexcept {
   const Mode mode = snapshot_.mode;
   const bool is_up = mode == Mode::kRise || mode == Mode::kStand || mode == Mode::kSit;
   if (options_.start == Start::kStanding || snapshot_.phase == RunPhase::kDamping ||
@@ -191,7 +191,7 @@ void StandLoop::sit_down_and_end() noexcept {
   }
 }
 
-void StandLoop::end(RunReason why) noexcept {
+void RunLoop::end(RunReason why) noexcept {
   // If the robot already damps, the reason for damping is kept. If no valid LowState has arrived,
   // the reason is kNoState, even if the end was requested.
   if (snapshot_.phase == RunPhase::kWaiting && why == RunReason::kRequested)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surefoot/stand_runner.hpp"
+#include "surefoot/runner.hpp"
 
 #include <atomic>
 
 #include "common/clock.hpp"
 #include "run/latency_histogram.hpp"
 #include "run/real_time_scope.hpp"
+#include "run/run_loop.hpp"
 #include "run/snapshot_publisher.hpp"
-#include "run/stand_loop.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -35,22 +35,22 @@ class RunningFlag {
 
 }  // namespace
 
-struct StandRunner::Impl {
-  Impl(const Robot& robot, const Gains& gains, const StandOptions& stand,
+struct Runner::Impl {
+  Impl(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
        const UdpLinkOptions& link, const RunOptions& options)
       : loop(robot, gains, stand, link, options), period(1.0 / options.rate) {}
 
-  StandLoop loop;
+  RunLoop loop;
   double period;
   LatencyHistogram tick_latencies, wake_latencies;
   SnapshotPublisher publisher;
   std::atomic<bool> started{false}, running{false};
 };
 
-void StandRunner::run() {
+void Runner::run() {
   Impl& s = *impl_;
   if (s.started.exchange(true))
-    throw Error("run: got a second call, expected one per StandRunner: create a new StandRunner");
+    throw Error("run: got a second call, expected one per Runner: create a new Runner");
   const RunningFlag running(s.running);
   const RealTimeScope scope;
   s.publisher.set_real_time(scope.scheduling() + ", " + scope.memory());
@@ -76,29 +76,29 @@ void StandRunner::run() {
   s.publisher.publish_final(s.loop.snapshot(), s.tick_latencies, s.wake_latencies, timer.missed());
 }
 
-StandRunner::StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
-                         const UdpLinkOptions& link, const RunOptions& options)
+Runner::Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
+               const UdpLinkOptions& link, const RunOptions& options)
     : impl_(std::make_unique<Impl>(robot, gains, stand, link, options)) {}
-StandRunner::~StandRunner() = default;
+Runner::~Runner() = default;
 
-RequestStatus StandRunner::request(Mode mode) noexcept { return impl_->loop.request(mode); }
-RequestStatus StandRunner::arm() noexcept { return impl_->loop.arm(); }
-void StandRunner::finish() noexcept { impl_->loop.finish(); }
-void StandRunner::stop() noexcept { impl_->loop.stop(); }
-void StandRunner::damp() noexcept { impl_->loop.damp(); }
-void StandRunner::heartbeat() noexcept { impl_->loop.heartbeat(); }
-void StandRunner::rearm() noexcept { impl_->loop.rearm(); }
-void StandRunner::set_gains(const Gains& gains) { impl_->loop.set_gains(gains); }
-void StandRunner::set_body_reference(const BodyReference& target) {
+RequestStatus Runner::request(Mode mode) noexcept { return impl_->loop.request(mode); }
+RequestStatus Runner::arm() noexcept { return impl_->loop.arm(); }
+void Runner::finish() noexcept { impl_->loop.finish(); }
+void Runner::stop() noexcept { impl_->loop.stop(); }
+void Runner::damp() noexcept { impl_->loop.damp(); }
+void Runner::heartbeat() noexcept { impl_->loop.heartbeat(); }
+void Runner::rearm() noexcept { impl_->loop.rearm(); }
+void Runner::set_gains(const Gains& gains) { impl_->loop.set_gains(gains); }
+void Runner::set_body_reference(const BodyReference& target) {
   impl_->loop.set_body_reference(target);
 }
-int StandRunner::local_port() const noexcept { return impl_->loop.local_port(); }
-const RunLog& StandRunner::log() const {
+int Runner::local_port() const noexcept { return impl_->loop.local_port(); }
+const RunLog& Runner::log() const {
   if (impl_->running.load())
     throw Error("log: got a call while run() is running, expected one after its end");
   return impl_->loop.log();
 }
-RunSnapshot StandRunner::snapshot() const { return impl_->publisher.snapshot(); }
-std::string StandRunner::real_time() const { return impl_->publisher.real_time(); }
+RunSnapshot Runner::snapshot() const { return impl_->publisher.snapshot(); }
+std::string Runner::real_time() const { return impl_->publisher.real_time(); }
 
 }  // namespace surefoot

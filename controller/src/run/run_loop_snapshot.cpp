@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "run/robot_snapshot.hpp"
-#include "run/stand_loop.hpp"
+#include "run/run_loop.hpp"
 
 namespace surefoot {
 
 // Add the tick to the log, until log_tail [s] after the last tick in a mode other than passive and
 // damping. The log has a fixed size: if damping were logged for longer, it would overwrite the
 // ticks that led to damping. So log_tail is at most half of the log.
-void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
+void RunLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   const Mode mode = supervisor_.mode();
   const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s] 5 s: chosen
   if (mode != Mode::kPassive && mode != Mode::kDamping) last_driven_time_ = snapshot_.time;
@@ -22,7 +22,7 @@ void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
 }
 
 // Update the phase, its reason and the counts after a tick.
-void StandLoop::update_phase() noexcept {
+void RunLoop::update_phase() noexcept {
   const Mode previous_mode = snapshot_.mode;
   snapshot_.mode = supervisor_.mode();
   const RunPhase phase = this->phase();
@@ -43,7 +43,7 @@ void StandLoop::update_phase() noexcept {
 
 // Update stood_as_requested_ when the mode changes. A change from kPassive to kDamping, while the
 // robot lies, leaves stood_as_requested_ unchanged.
-void StandLoop::update_stood_as_requested(Mode previous_mode) noexcept {
+void RunLoop::update_stood_as_requested(Mode previous_mode) noexcept {
   if (snapshot_.mode == previous_mode) return;
   const bool damped_while_driven =
       snapshot_.mode == Mode::kDamping && previous_mode != Mode::kPassive;
@@ -56,7 +56,7 @@ void StandLoop::update_stood_as_requested(Mode previous_mode) noexcept {
   if (snapshot_.mode == Mode::kStand) stood_as_requested_ = !lies();
 }
 
-RunPhase StandLoop::phase() const noexcept {
+RunPhase RunLoop::phase() const noexcept {
   if (robot_silent_) return RunPhase::kDamping;
   switch (snapshot_.mode) {
     case Mode::kPassive:
@@ -73,7 +73,7 @@ RunPhase StandLoop::phase() const noexcept {
   return RunPhase::kDamping;
 }
 
-RunReason StandLoop::damping_reason() const noexcept {
+RunReason RunLoop::damping_reason() const noexcept {
   if (robot_silent_) return RunReason::kStale;
   switch (supervisor_.damping_fault()) {
     case FaultId::kLink:
@@ -91,7 +91,7 @@ RunReason StandLoop::damping_reason() const noexcept {
   }
 }
 
-const RunSnapshot& StandLoop::snapshot() noexcept {
+const RunSnapshot& RunLoop::snapshot() noexcept {
   snapshot_.link = link_.counts();
   snapshot_.last_reject = link_.last_reject();
   snapshot_.state_age = link_.state_age();
@@ -107,7 +107,7 @@ const RunSnapshot& StandLoop::snapshot() noexcept {
   return snapshot_;
 }
 
-bool StandLoop::take_phase_change() noexcept {
+bool RunLoop::take_phase_change() noexcept {
   const bool changed = phase_changed_;
   phase_changed_ = false;
   return changed;

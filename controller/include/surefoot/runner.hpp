@@ -12,7 +12,7 @@
 
 namespace surefoot {
 
-/// Options of a StandRunner.
+/// Options of a Runner.
 struct RunOptions {
   double rate = 500.0;  ///< [Hz] rate of the control loop, 100 .. 1000
   /// [s] Time from first standing until finish() is called. Infinity: the run ends only with
@@ -66,7 +66,7 @@ enum class RunReason {
 /// Return the reason in one word, as logs write it. Real-time: yes.
 const char* to_string(RunReason reason) noexcept;
 
-/// State of a StandRunner, published every 50 ms and at every change of phase. Plain data.
+/// State of a Runner, published every 50 ms and at every change of phase. Plain data.
 struct RunSnapshot {
   RunPhase phase = RunPhase::kWaiting;     ///< present phase of the run
   RunReason reason = RunReason::kNone;     ///< reason of the last damping, or of the end
@@ -145,16 +145,16 @@ struct RunSnapshot {
 /// the clock of the robot had paused as well, the run continues. Otherwise damping is latched, and
 /// only arm() ends it. Damping is also latched if this process does not run for more than 100
 /// ms. After a shorter pause the run continues with the newest LowState.
-class StandRunner {
+class Runner {
  public:
   /// Open the link to the robot; run() starts the loop. Throws surefoot::Error if an option or a
   /// gain is invalid, if a real robot is not started with Start::kLying, or if the UdpLink cannot
   /// be opened.
-  StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
-              const UdpLinkOptions& link, const RunOptions& options);
-  ~StandRunner();
-  StandRunner(const StandRunner&) = delete;
-  StandRunner& operator=(const StandRunner&) = delete;
+  Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
+         const UdpLinkOptions& link, const RunOptions& options);
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
 
   /// Run the loop in the calling thread. The loop ends after stop() or finish(), when the duration
   /// is over, if no valid LowState arrives within connect_timeout, or if the robot uses another

@@ -36,11 +36,11 @@ double largest_difference(const LowCmd& a, const LowCmd& b) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(stand_options)
+BOOST_AUTO_TEST_SUITE(controller_options)
 
 BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_requested) {
   const Robot robot = quadruped();
-  StandOptions options;
+  ControllerOptions options;
   options.motor_damping = 0.5;
   StandController controller(robot, Gains(), options);
   const LowCmd command = controller.update(resting_sample(robot, 0));
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_requested) {
 // The estimator's dynamics are in a frame of their own, and both forms have to account for it.
 BOOST_AUTO_TEST_CASE(both_forms_send_the_same_torques_to_a_moving_robot) {
   const Robot robot = quadruped();
-  StandOptions general;
+  ControllerOptions general;
   general.form = QpForm::kGeneral;
   StandController a(robot), b(robot, Gains(), general);
   for (StandController* c : {&a, &b}) ControllerAccess::end_sensor_check(*c);
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(both_forms_send_the_same_torques_to_a_moving_robot) {
 
 BOOST_AUTO_TEST_CASE(delay_option_enables_prediction_and_is_range_checked) {
   const Robot robot = quadruped();
-  StandOptions delayed_options;
+  ControllerOptions delayed_options;
   delayed_options.delay = 0.01;
   StandController direct_controller(robot), delayed_controller(robot, Gains(), delayed_options);
   for (StandController* c : {&direct_controller, &delayed_controller}) {
