@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/walk_planner.hpp"
 
+#include <cstdlib>
+
+#include "reference/capture_margin.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -17,6 +21,7 @@ constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
 constexpr double kPutDownTime = 0.3;
+const double kStepMargin = std::getenv("SF_MARGIN") ? std::atof(std::getenv("SF_MARGIN")) : 0.0;
 
 }  // namespace
 
@@ -36,7 +41,8 @@ void WalkPlanner::reset() noexcept {
 bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept {
   update_times(input);
   const bool walk = wants_to_walk(input);
-  if (!walking_ && !(walk && input.state.contact.minCoeff() > kContact)) {
+  const bool recover = !walking_ && must_step(input);
+  if (!walking_ && !recover && !(walk && input.state.contact.minCoeff() > kContact)) {
     return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
@@ -44,7 +50,7 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
     stand_.reset();  // it latches the pose in which the walk ends
     return plan_stand(input, reference);
   }
-  if (!walking_) stepping_.start(input);
+  if (!walking_) stepping_.start(input, recover);
   walking_ = true;
   stepping_.plan(input, command_.velocity(), !walk, reference);
   return true;
@@ -60,6 +66,13 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
 bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > kAirborneTime) return false;
   return !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
+}
+
+// The capture point of a standing robot leaves the support.
+bool WalkPlanner::must_step(const PlannerInput& input) const noexcept {
+  if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > 0.0) return false;
+  const double h = stepping_.size().height;
+  return capture_margin(input.dynamics, {true, true, true, true}) < -kStepMargin * h;
 }
 
 bool WalkPlanner::must_stand() const noexcept {
