@@ -16,7 +16,8 @@ namespace surefoot {
 /// Source: Khadiv, Herzog, Moosavian, Righetti 2016, "Step timing adjustment: a step toward
 /// generating robust gaits".
 /// @param clock times of the gait without this factor
-double swing_time_factor(const GaitSize& size, const GaitClock& clock, const FeetMatrix& p_world_feet,
-                         const HorizontalMotion& measured, const BodyTrajectory& body) noexcept;
+double swing_time_factor(const GaitSize& size, const GaitClock& clock,
+                         const FeetMatrix& p_world_feet, const HorizontalMotion& measured,
+                         const BodyTrajectory& body) noexcept;
 
 }  // namespace surefoot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/walk_planner.hpp"
 
-#include <cstdlib>
+#include <algorithm>
 
 #include "reference/capture_margin.hpp"
 
@@ -21,7 +21,8 @@ constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
 constexpr double kPutDownTime = 0.3;
-const double kStepMargin = std::getenv("SF_MARGIN") ? std::atof(std::getenv("SF_MARGIN")) : 0.0;
+// Contact confidence below which a standing foot has lost contact. Chosen as in FootContacts.
+constexpr double kLostContact = 0.3;
 
 }  // namespace
 
@@ -68,11 +69,15 @@ bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   return !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
 }
 
-// The capture point of a standing robot leaves the support.
+// Return whether a standing robot must step: the capture point leaves the polygon of the feet. With
+// two feet off the ground it steps earlier, because the body already turns about the others.
 bool WalkPlanner::must_step(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > 0.0) return false;
-  const double h = stepping_.size().height;
-  return capture_margin(input.dynamics, {true, true, true, true}) < -kStepMargin * h;
+  const bool tips = (input.state.contact.array() < kLostContact).count() >= 2;
+  const double margin =
+      tips ? input.gains.recovery_margin : std::min(input.gains.recovery_margin, 0.0);
+  return capture_margin(input.dynamics, {true, true, true, true}) <
+         margin * stepping_.size().height;
 }
 
 bool WalkPlanner::must_stand() const noexcept {
