@@ -34,6 +34,8 @@ void bind_velocity(nb::module_& m) {
              "vx: gains walk_speed_forward and walk_speed_backward.")
       .value("SIDEWAYS", WalkLimit::kSideways, "vy: gain walk_speed_sideways.")
       .value("TURN", WalkLimit::kTurn, "yaw_rate: gain walk_turn_speed.")
+      .value("POWER", WalkLimit::kPower,
+             "All: the power that ControllerOptions.power_limit allows.")
       .value("NOT_FINITE", WalkLimit::kNotFinite,
              "The command has a NaN or an infinity; the previous one stays in force.");
   nb::enum_<Gait>(m, "Gait", "What a WalkController does.")

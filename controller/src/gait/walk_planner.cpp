@@ -26,11 +26,14 @@ constexpr double kLostContact = 0.3;
 
 }  // namespace
 
-WalkPlanner::WalkPlanner(const Robot& robot, double velocity_timeout)
-    : WalkPlanner(robot, GaitSize(robot), velocity_timeout) {}
+WalkPlanner::WalkPlanner(const Robot& robot, double velocity_timeout, double power_limit)
+    : WalkPlanner(robot, GaitSize(robot), velocity_timeout, power_limit) {}
 
-WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout)
-    : command_(size, velocity_timeout), stand_(robot), stepping_(size) {}
+WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout,
+                         double power_limit)
+    : command_(size, velocity_timeout, power_limit / (robot.mass() * kGravity * size.speed)),
+      stand_(robot),
+      stepping_(size) {}
 
 void WalkPlanner::reset() noexcept {
   walking_ = false;

@@ -26,7 +26,8 @@ void WalkOptions::validate() const {
 WalkController::WalkController(const Robot& robot) : WalkController(robot, robot.config().gains) {}
 WalkController::WalkController(const Robot& robot, const Gains& gains, const WalkOptions& options)
     : StandController(robot,
-                      std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout),
+                      std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout,
+                                                    options.tick.power_limit),
                       gains, options.tick) {}
 WalkController::~WalkController() = default;
 WalkController::WalkController(WalkController&&) noexcept = default;
