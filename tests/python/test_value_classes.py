@@ -212,7 +212,7 @@ def measured_results() -> list[Any]:
     for tick in range(1, 30, 2):
         state.tick = tick
         supervisor.update(state)
-    controller = supervisor.stand_controller
+    controller = supervisor.controller
     return [
         *(supervisor.arming, supervisor.arming.checks["tilt"], supervisor.faults),
         *(controller.solution, controller.estimator_report, controller.reach),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/walk_planner.hpp"
 
+#include "gait/trot_load.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -24,7 +26,10 @@ WalkPlanner::WalkPlanner(const Robot& robot, double velocity_timeout)
     : WalkPlanner(robot, GaitSize(robot), velocity_timeout) {}
 
 WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout)
-    : command_(size, velocity_timeout), stand_(robot), stepping_(size) {}
+    : can_walk_(trot_load(robot).share <= kMaxTrotLoad),
+      command_(size, velocity_timeout),
+      stand_(robot),
+      stepping_(size) {}
 
 void WalkPlanner::reset() noexcept {
   walking_ = false;
@@ -59,7 +64,7 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
 
 bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > kAirborneTime) return false;
-  return !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
+  return can_walk_ && !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
 }
 
 bool WalkPlanner::must_stand() const noexcept {

@@ -97,7 +97,7 @@ class CorruptQp(Fault):
 
     def prepare(self, supervisor: Supervisor) -> None:
         """Add the task to the StandController."""
-        supervisor.stand_controller.add_task(self._task)
+        supervisor.controller.add_task(self._task)
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
         """Activate or deactivate the task."""
