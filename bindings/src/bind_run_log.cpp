@@ -83,8 +83,8 @@ void bind_run_log(nb::module_& m) {
             auto* data = new double[3 * log.size()];
             const nb::capsule owner = owner_of(data);
             for (std::size_t k = 0; k < log.size(); ++k) {
-              const WalkVelocity v = log[k].has_velocity ? log[k].velocity
-                                                         : WalkVelocity{NAN, NAN, NAN};
+              const WalkVelocity v =
+                  log[k].has_velocity ? log[k].velocity : WalkVelocity{NAN, NAN, NAN};
               data[3 * k] = v.vx, data[3 * k + 1] = v.vy, data[3 * k + 2] = v.yaw_rate;
             }
             return nb::ndarray<nb::numpy, double, nb::ndim<2>>(data, {log.size(), 3}, owner);

@@ -113,8 +113,7 @@ void bind_faults(nb::module_& m) {
           "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
           "How the fault is detected and how the supervisor reacts, a sentence.")
       .def_prop_ro(
-          "while_stepping",
-          [](const FaultInfo& info) { return std::string(info.while_stepping); },
+          "while_stepping", [](const FaultInfo& info) { return std::string(info.while_stepping); },
           "What differs while the feet step; empty: nothing.")
       .def_prop_ro(
           "stepping_detection_time",
@@ -264,7 +263,8 @@ void bind_supervisor_class(nb::module_& m) {
              FieldArgument<double> temperature_stop, FieldArgument<double> battery_low,
              FieldArgument<double> payload_limit, FieldArgument<double> operator_timeout,
              FieldArgument<double> joint_margin, FieldArgument<ControllerOptions> stand,
-             FieldArgument<double> velocity_timeout, FieldArgument<Start> start, FieldArgument<bool> remote) {
+             FieldArgument<double> velocity_timeout, FieldArgument<Start> start,
+             FieldArgument<bool> remote) {
             constexpr const char* kType = "SupervisorOptions";
             new (self) SupervisorOptions{power_level.to(kType, "power_level"),
                                          arming_time.to(kType, "arming_time"),
@@ -283,8 +283,8 @@ void bind_supervisor_class(nb::module_& m) {
           "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,
           "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15,
           "stand"_a = ControllerOptions(),
-          "velocity_timeout"_a = SupervisorOptions().velocity_timeout, "start"_a = Start::kLying, "remote"_a = true,
-          "Create options; the arguments are the attributes.")
+          "velocity_timeout"_a = SupervisorOptions().velocity_timeout, "start"_a = Start::kLying,
+          "remote"_a = true, "Create options; the arguments are the attributes.")
       .def_rw("power_level", &SupervisorOptions::power_level,
               "Level of Safety.power_protect(), 1 .. 10, which trips at 100 W times the level.\n\n"
               "Rises and descents are planned for half of this power. While the robot stands,\n"
@@ -342,8 +342,9 @@ void bind_supervisor_class(nb::module_& m) {
       "Torques fade between modes within 0.25 s; damping after a stop or a fault starts\n"
       "at once. fault_table() lists the faults and the reactions to them.\n\n"
       "Threads: update(), update_without_state(), report_link_lost(), count_samples(),\n"
-      "set_gains(), set_body_reference(), set_velocity(), set_gait(), controller,\n"
-      "command_is_fresh and measured_power belong to one thread. All other functions may be called from any\n"
+      "set_gains(), set_body_reference(), set_velocity(), gait, controller,\n"
+      "command_is_fresh and measured_power belong to one thread. All other functions may be called "
+      "from any\n"
       "thread. No function takes a lock.")
       .def(
           "__init__",
@@ -446,8 +447,8 @@ void bind_supervisor_class(nb::module_& m) {
            "Set the WalkVelocity, see WalkController.set_velocity().\n\n"
            "Ignored unless the mode is WALK, and while the robot stops. Call it more often\n"
            "than SupervisorOptions.velocity_timeout. Real-time: yes.")
-      .def("set_gait", &Supervisor::set_gait, "gait"_a,
-           "Set the gait of WALK; initially Gait.AUTO. Real-time: yes.")
+      .def_prop_rw("gait", &Supervisor::gait, &Supervisor::set_gait,
+                   "Gait of the mode WALK; initially Gait.AUTO.")
       .def_prop_ro("stopping", &Supervisor::stopping,
                    "True while a robot that walked or stepped stops, before it stands or sits\n"
                    "down.")

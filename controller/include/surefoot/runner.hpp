@@ -119,19 +119,19 @@ struct RunSnapshot {
   std::array<double, 12> joint_angles{};  ///< [rad] measured angles, SDK motor order
   /// [N] Ground force on each foot in the QP solution: FR FL RR RL, each x y z, world axes.
   std::array<double, 12> desired_forces{};
-  std::array<double, 4> contact{};  ///< contact confidence 0 .. 1, FR FL RR RL
-  WalkVelocity commanded_velocity;            ///< clamped; 0 after the timeout
-  WalkVelocity reference_velocity;            ///< approaches commanded_velocity
+  std::array<double, 4> contact{};              ///< contact confidence 0 .. 1, FR FL RR RL
+  WalkVelocity commanded_velocity;              ///< clamped; 0 after the timeout
+  WalkVelocity reference_velocity;              ///< approaches commanded_velocity
   WalkLimit velocity_limit = WalkLimit::kNone;  ///< of the last velocity
   Gait gait = Gait::kAuto;                      ///< gait of the mode kWalk
   bool stopping = false;                        ///< see Supervisor::stopping()
   std::uint64_t start_presses = 0;  ///< number of times that START of the remote was pressed
   /// Answer to the request of the last press of START.
   RequestStatus start_answer = RequestStatus::kAccepted;
-  double position_error = 0.0;      ///< [m] distance between the base origin and its reference
-  double orientation_error = 0.0;   ///< [rad] angle between the base and its reference
-  double torque_ratio = 0.0;        ///< largest |tauEst| / tau_max of the motors
-  double command_power = 0.0;       ///< [W] StandController::command_power()
+  double position_error = 0.0;     ///< [m] distance between the base origin and its reference
+  double orientation_error = 0.0;  ///< [rad] angle between the base and its reference
+  double torque_ratio = 0.0;       ///< largest |tauEst| / tau_max of the motors
+  double command_power = 0.0;      ///< [W] StandController::command_power()
   // Latency of a tick: from waking up to the command sent.
   double tick_p50 = 0.0,  ///< [us] latency of a tick, median
       tick_p90 = 0.0,     ///< [us] latency of a tick, 90 % quantile
@@ -178,8 +178,8 @@ class Runner {
   RequestStatus request(Mode mode) noexcept;  ///< see Supervisor::request()
   RequestStatus arm() noexcept;               ///< see Supervisor::arm()
   void rearm() noexcept;                      ///< call arm() and count refusals in refused_rearms
-  /// End the run. With Start::kLying the robot first sits down. With kStanding a walking robot first
-  /// stops; then this is stop().
+  /// End the run. With Start::kLying the robot first sits down. With kStanding a walking robot
+  /// first stops; then this is stop().
   void finish() noexcept;
   void stop() noexcept;  ///< damp and end the run
   void damp() noexcept;  ///< latch damping; the run continues
@@ -196,8 +196,8 @@ class Runner {
   void set_body_reference(const BodyReference& target);
 
   /// Set the velocity of a walking robot, see Supervisor::set_velocity(). It takes effect in the
-  /// next tick, and is 0 after RunOptions::velocity_timeout. The sticks of the remote add to it. Call
-  /// this function from any thread. Real-time: no.
+  /// next tick, and is 0 after RunOptions::velocity_timeout. The sticks of the remote add to it.
+  /// Call this function from any thread. Real-time: no.
   void set_velocity(const WalkVelocity& velocity);
   /// Set the gait, see Supervisor::set_gait(). Call this function from any thread. Real-time: no.
   void set_gait(Gait gait);

@@ -16,8 +16,8 @@ constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad]
 // Dead zone, as a share of full deflection. Chosen larger than the offset of a released stick.
 constexpr float kDeadZone = 0.05F;
 
-// Velocities at full deflection. Chosen: a brisk walk, below the gains walk_speed_forward, _sideways
-// and walk_turn_speed of all robots. At h = 0.3 m: 0.6 m/s, 0.3 m/s, 1.1 rad/s.
+// Velocities at full deflection. Chosen: a brisk walk, below the gains walk_speed_forward,
+// _sideways and walk_turn_speed of all robots. At h = 0.3 m: 0.6 m/s, 0.3 m/s, 1.1 rad/s.
 constexpr double kForwardSpeed = 0.35, kSidewaysSpeed = 0.18;  // [sqrt(g h)]
 constexpr double kTurnSpeed = 0.2;                             // [sqrt(g/h)]
 // Dead zone of velocities. Chosen larger than kDeadZone: a robot must not creep.

@@ -13,7 +13,8 @@ namespace surefoot {
 /// and right change roll. With the remote at rest, the result is the latched pose. Real-time: yes.
 BodyReference remote_reference(const WirelessRemote& remote) noexcept;
 
-/// Velocities of a walking robot at full deflection of the sticks. They scale with the robot's size.
+/// Velocities of a walking robot at full deflection of the sticks. They scale with the robot's
+/// size.
 struct StickSpeeds {
   explicit StickSpeeds(const Robot& robot);
   WalkVelocity full;

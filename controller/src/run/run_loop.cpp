@@ -188,7 +188,7 @@ void RunLoop::sit_down_and_end() noexcept {
     // The supervisor stops the walk first. The next tick repeats the request.
     supervisor_.request(options_.start == Start::kStanding ? Mode::kStand : Mode::kSit);
   } else if (options_.start == Start::kStanding || snapshot_.phase == RunPhase::kDamping ||
-      (!is_up && !supervisor_.fading())) {
+             (!is_up && !supervisor_.fading())) {
     end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
     // The supervisor may reject this request while torques fade. The next tick repeats the request.

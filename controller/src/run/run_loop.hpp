@@ -91,9 +91,9 @@ class RunLoop {
   // [s] Time of the last set_velocity(); -infinity: none yet.
   double velocity_time_ = -std::numeric_limits<double>::infinity();
   StickSpeeds stick_speeds_;
-  bool start_pressed_ = false;      // START of the remote in the last sample
-  bool walk_by_remote_ = false;     // the present walk was begun with START
-  WalkVelocity velocity_;           // passed to the supervisor in this tick
+  bool start_pressed_ = false;   // START of the remote in the last sample
+  bool walk_by_remote_ = false;  // the present walk was begun with START
+  WalkVelocity velocity_;        // passed to the supervisor in this tick
   bool has_velocity_ = false;
   Gait gait_ = Gait::kAuto;
   SilenceDetector silence_detector_;

@@ -71,6 +71,7 @@ void Supervisor::set_velocity(const WalkVelocity& velocity) noexcept {
   impl_->set_velocity(velocity);
 }
 void Supervisor::set_gait(Gait gait) noexcept { impl_->set_gait(gait); }
+Gait Supervisor::gait() const noexcept { return impl_->gait; }
 bool Supervisor::stopping() const noexcept { return impl_->requests.context().stopping; }
 const WalkController& Supervisor::controller() const noexcept { return impl_->controller; }
 bool Supervisor::command_is_fresh() const noexcept { return impl_->fresh; }
@@ -92,8 +93,9 @@ const char* to_string(Start start) noexcept {
 }
 
 const char* to_string(RequestStatus status) noexcept {
-  constexpr std::array<const char*, 8> names = {"accepted", "no_state",     "not_armed", "not_ready",
-                                                "latched",  "out_of_order", "busy", "cannot_walk"};
+  constexpr std::array<const char*, 8> names = {"accepted",  "no_state",   "not_armed",
+                                                "not_ready", "latched",    "out_of_order",
+                                                "busy",      "cannot_walk"};
   return names[static_cast<int>(status)];
 }
 

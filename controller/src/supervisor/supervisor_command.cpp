@@ -50,7 +50,8 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   const bool controller_idle = unsolved.update(
       uses_controller && controller.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
   if (controller_idle || (uses_controller && controller.status() == Status::kDamping)) {
-    const FaultId why = controller.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
+    const FaultId why =
+        controller.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
     log.set(why, true);
     latch(why);
     return command_hold.accept(damping_low_cmd(damping_kd));

@@ -42,7 +42,8 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   controller.set_torque_share(motors.torque_share());
   impedance.set_torque_share(motors.torque_share());
   if (is_on_feet()) {
-    estimator_faults.update(controller.estimator_report(), controller.state(), is_stepping(), dt, log);
+    estimator_faults.update(controller.estimator_report(), controller.state(), is_stepping(), dt,
+                            log);
   } else {
     estimator_faults.reset(context.mode == Mode::kSit, log);
   }
@@ -57,8 +58,8 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_loss_battery_and_operator(state, dt);
 }
 
-// Declare the leg of a failed motor lost if the robot stands or walks, and its capture point is inside the
-// triangle of the other three feet or at most kMaxOutside outside.
+// Declare the leg of a failed motor lost if the robot stands or walks, and its capture point is
+// inside the triangle of the other three feet or at most kMaxOutside outside.
 void Supervisor::Impl::judge_legs() noexcept {
   const int lost = controller.lost_leg();
   if (lost >= 0) {
@@ -75,7 +76,8 @@ void Supervisor::Impl::judge_legs() noexcept {
     const double push = controller.state().f_external.head<2>().norm();
     // Both comparisons are false for NaN; the leg is then not declared lost.
     const bool push_is_small = push <= kMaxPush * kGravity * robot.mass();
-    if (!push_is_small || !(controller.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
+    if (!push_is_small || !(controller.capture_margin_without(leg) >= -kMaxOutside * height))
+      continue;
     controller.declare_leg_lost(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);

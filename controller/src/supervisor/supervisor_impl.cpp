@@ -15,8 +15,8 @@ namespace {
 // below 1. Measured with these values: at most 93 W at level 1 (100 W) in benchmarks/get_up.py; no
 // trip in benchmarks/false_trips.py.
 constexpr double kPlannedShare = 0.5;  // power of the holding torques in the rise plan
-// Limit of JointImpedance. Lower than kControllerShare, because JointImpedance uses measured velocities,
-// which are 5 ms old.
+// Limit of JointImpedance. Lower than kControllerShare, because JointImpedance uses measured
+// velocities, which are 5 ms old.
 constexpr double kImpedanceShare = 0.8;
 constexpr double kControllerShare = 0.9;  // limit of WalkController
 constexpr Button kStopButton = Button::kB;

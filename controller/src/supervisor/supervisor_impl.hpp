@@ -31,10 +31,10 @@ namespace surefoot {
 /// State machine of the Supervisor: its modes, and the steps of a tick.
 ///
 /// Modes: passive -> rise -> stand -> sit -> passive; stand -> walk -> stand or sit; any mode ->
-/// damping. A rise has the stages of RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves
-/// the mode damping. In the modes passive and damping, the motors only damp; rise and sit use
-/// JointImpedance; stand and walk use the WalkController. TorqueFade blends the torques when the mode changes, except for a change to
-/// damping.
+/// damping. A rise has the stages of RiseStage: hold legs, fold, weigh, press, up. Only arm()
+/// leaves the mode damping. In the modes passive and damping, the motors only damp; rise and sit
+/// use JointImpedance; stand and walk use the WalkController. TorqueFade blends the torques when
+/// the mode changes, except for a change to damping.
 ///
 /// A tick has five steps:
 ///   1. read_sample() checks the LowState; an unusable LowState is a sample fault.
@@ -81,6 +81,7 @@ struct Supervisor::Impl {
   std::atomic<bool> rise_abandoned{false};  // true if the last rise was abandoned
   std::atomic<RiseStage> published_stage{RiseStage::kHoldLegs};
   std::atomic<double> published_progress{0.0};  // path parameter of the rise, 0 .. 1
+  Gait gait = Gait::kAuto;                      // of the mode kWalk
   bool fresh = false;  // true if the last command was computed from the last sample
 
  private:
@@ -134,9 +135,8 @@ struct Supervisor::Impl {
   bool is_stepping() const noexcept { return is_on_feet() && controller.reference().stepping; }
 
   RequestContext context;
-  Gait gait = Gait::kAuto;       // of the mode kWalk
   Mode after_stop = Mode::kStand;  // mode that follows when the robot has stopped
-  double stop_time = 0.0;        // [s] since the robot began to stop
+  double stop_time = 0.0;          // [s] since the robot began to stop
   TickClock clock{kLongestStep};
   CommandHold command_hold;
   TorqueFade fade;

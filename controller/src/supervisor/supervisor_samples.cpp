@@ -75,8 +75,8 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
              : is_on_feet() ? ImuMotion::kStands
                             : ImuMotion::kTurns);
   if (!joints_fit) return FaultId::kJointJump;
-  // A robot on its feet uses the attitude of its estimator. So the IMU's attitude may be implausible,
-  // but not its gyroscope.
+  // A robot on its feet uses the attitude of its estimator. So the IMU's attitude may be
+  // implausible, but not its gyroscope.
   if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_on_feet()))
     return FaultId::kAttitude;
   // After a gap longer than kRobotWatchdogTime the robot has damped by itself. If the caller uses

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from surefoot._core import RobotState, Supervisor, Task, TaskRows
+from surefoot._core import LowCmd, RobotState, Supervisor, Task, TaskRows, WalkVelocity
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Lift, Plant, PlantSettings, Push
 
@@ -53,6 +53,36 @@ class LiftFault(Fault):
         """Start the lift."""
         lift = Lift(self._part, plant.time, self._duration, self._height, ramp=self._ramp)
         plant.add_lift(lift)
+
+
+class SlipperyPatch(Fault):
+    """The robot turns back on a patch with low friction, so its feet slip.
+
+    Args:
+        friction: Friction coefficient of the patch.
+        periods: Number of control periods until the robot has passed the patch.
+    """
+
+    def __init__(self, friction: float, periods: int) -> None:
+        self._friction, self._periods = friction, periods
+        self._plant: Plant | None = None
+
+    def begin(self, plant: Plant) -> None:
+        """Lower the friction of all contacts."""
+        self._plant = plant
+        model = plant.model  # soft soles touch the ground as pairs of geoms
+        self._normal_friction = model.geom_friction.copy(), model.pair_friction.copy()
+        model.geom_friction[:, 0] = model.pair_friction[:, :2] = self._friction
+
+    def change_velocity(self, velocity: WalkVelocity, k: int) -> WalkVelocity | None:
+        """Return the opposite velocity."""
+        return WalkVelocity(-velocity.vx, -velocity.vy, -velocity.yaw_rate)
+
+    def change_command(self, command: LowCmd, k: int) -> None:
+        """Restore the friction at the end of the patch; leave the command unchanged."""
+        if k == self._periods and self._plant is not None:
+            model = self._plant.model
+            model.geom_friction[:], model.pair_friction[:] = self._normal_friction
 
 
 class WorkingFootSensors(Fault):

@@ -48,8 +48,8 @@ void SlipDetector::update(const Gains& gains, const FootSlipInput& input, double
     speed_[leg] = v_filtered_.col(leg).norm();
   }
   excess_speed_ = excess(speed_, input);
-  const Eigen::Vector4d excess_slip = soles_move ? excess(sliding_speed(input), input)
-                                                 : excess_speed_;
+  const Eigen::Vector4d excess_slip =
+      soles_move ? excess(sliding_speed(input), input) : excess_speed_;
   for (int leg = 0; leg < kLegs; ++leg) {
     const bool loaded = !soles_move || input.loads[leg] > kMinLoad;
     const bool is_slipping =

@@ -14,7 +14,7 @@ constexpr double kLiftedTime = 0.05;     // [0.1 s] longer than impacts that unl
 // [0.25 s] While feet step: longer than the flight of a fast trot, 80 ms at h = 0.3 m, and that of
 // a robot which falls off a step. The same as kAirborneTime of WalkPlanner.
 constexpr double kSteppingLiftedTime = 0.2;
-constexpr double kPayloadTime = 1.0;     // [2 s] longer than pushes (0.5 s in the full scorecard)
+constexpr double kPayloadTime = 1.0;  // [2 s] longer than pushes (0.5 s in the full scorecard)
 // EstimatorReport::slip (0 .. 1) above which a foot slips. Chosen.
 constexpr double kMinSlip = 0.5;
 
@@ -48,7 +48,7 @@ void EstimatorFaults::update(const EstimatorReport& report, const RobotState& st
   log.set(FaultId::kFootForce, is_foot_force_bad(report));
   log.set(FaultId::kSlip, slip_.update(report.slip.maxCoeff() > kMinSlip, dt, kSlipTime));
   log.set(FaultId::kLifted, lifted_.update(state.contact.maxCoeff() < 0.5, dt,
-                                        stepping ? kSteppingLiftedTime : kLiftedTime));
+                                           stepping ? kSteppingLiftedTime : kLiftedTime));
   log.set(FaultId::kPayload, overloaded_);
 }
 

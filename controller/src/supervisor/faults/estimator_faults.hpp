@@ -21,8 +21,8 @@ class EstimatorFaults {
   /// @param dt [s] time since the last call
   /// @param log receives kFootForce, kSlip, kLifted and kPayload. It does not receive the faults of
   ///   the IMU, which the functions below return
-  void update(const EstimatorReport& report, const RobotState& state, bool stepping,
-              double dt, FaultLog& log) noexcept;
+  void update(const EstimatorReport& report, const RobotState& state, bool stepping, double dt,
+              FaultLog& log) noexcept;
   /// Clear all findings; call this while no estimator runs.
   /// @param sitting true if the robot sits down: keep the faults that make it sit down (gyroscope,
   ///   payload), because without an estimator nothing shows that they have ended

@@ -92,7 +92,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "motor_mode or motor_weak in one leg of a standing robot whose capture point is over the "
      "other three feet; the robot stands on those until arm(); if a second leg fails, the "
      "motors damp",
-     "the robot puts its feet down within 0.3 s and stands on three; the mode walk is refused until "
+     "the robot puts its feet down within 0.3 s and stands on three; the mode walk is refused "
+     "until "
      "arm()",
      0.0, true},
     {FaultId::kOverridden, kDamp, 0.2, kNeedsArm,

@@ -27,8 +27,8 @@ constexpr double kReacceptTime = 0.5;
 // [rad/s] Change of the gyroscope between two samples above which the gyroscope has jumped: an
 // offset of 2.5 rad/s passes, noise of up to 10 rad/s is a fault.
 constexpr double kMaxRateJump = 3.0;
-// [rad/s] The same while feet step: touchdowns make the gyroscope vibrate, and it then changes by up
-// to 3.8 rad/s (a1, go1, go2 and b1 at 1 m/s, 3 seeds).
+// [rad/s] The same while feet step: touchdowns make the gyroscope vibrate, and it then changes by
+// up to 3.8 rad/s (a1, go1, go2 and b1 at 1 m/s, 3 seeds).
 constexpr double kMaxSteppingRateJump = 6.0;
 // [s] Time for which a signal must be bad before it is a fault. Longer than 18 ms, for which an IMU
 // that is read at 50 Hz repeats its values.
@@ -52,7 +52,9 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, ImuMotion mot
   const std::array<float, 4> q = imu.quaternion;  // the field is packed, so it is copied
   const std::array<float, 3> rates = imu.gyroscope;
   const Vector3 w(rates[0], rates[1], rates[2]);
-  rates_plausible_ = !started_ || (w - w_last_).norm() < (motion == ImuMotion::kSteps ? kMaxSteppingRateJump : kMaxRateJump);
+  rates_plausible_ =
+      !started_ ||
+      (w - w_last_).norm() < (motion == ImuMotion::kSteps ? kMaxSteppingRateJump : kMaxRateJump);
   const double angle = w.norm() * step;
   if (angle > 0.0)
     R_propagated_ = R_propagated_ * Quaternion(Eigen::AngleAxisd(angle, w.normalized()));

@@ -75,8 +75,16 @@ int Requests::pack(const RequestContext& context) noexcept {
 
 RequestContext Requests::unpack(int bits) noexcept {
   const auto flag = [bits](int bit) { return (bits >> bit & 1) != 0; };
-  return {static_cast<Mode>(bits & 0xFF), flag(8),  flag(9),  flag(10), flag(11),
-          flag(12),                       flag(13), flag(14), flag(15), flag(16)};
+  return {static_cast<Mode>(bits & 0xFF),
+          flag(8),
+          flag(9),
+          flag(10),
+          flag(11),
+          flag(12),
+          flag(13),
+          flag(14),
+          flag(15),
+          flag(16)};
 }
 
 }  // namespace surefoot
