@@ -28,9 +28,10 @@ if TYPE_CHECKING:
 FAILED = 4  # exit status if a cell failed
 _EPILOG = """\
 Injects every fault of the catalogue (off, stuck, garbage, wrong, slow, delayed or intermittent,
-where applicable) while the robot lies, rises, stands, is pushed and walks, with real sensors at 500 Hz. A
-cell is one fault injected in one mode. It passes if all commands are finite and within the torque,
-rate and power limits, and if the reaction of fault_table() occurs within its detection time.
+where applicable) while the robot lies, rises, stands, is pushed and walks, with real sensors at 500
+Hz. A cell is one fault injected in one mode. It passes if all commands are finite and within the
+torque, rate and power limits, and if the reaction of fault_table() occurs within its detection
+time.
 
 With --store, an interrupted run can be resumed.
 
