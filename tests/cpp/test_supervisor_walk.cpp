@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(request_context_survives_its_way_through_the_mailbox) {
     requests.publish(sent);
     const RequestContext received = requests.context();
     for (int other = 0; other < 9; ++other) {
-      BOOST_TEST(received.*flags[other] == (other == flag));
+      BOOST_TEST((received.*flags[other]) == (other == flag));
     }
     BOOST_TEST((received.mode == Mode::kWalk));
   }

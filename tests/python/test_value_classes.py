@@ -20,7 +20,8 @@ VALUES = [
     kind
     for kind in vars(surefoot._core).values()
     if isinstance(kind, type)
-    and not issubclass(kind, surefoot.Controller)  # its settable gait is no value of a copy
+    # Their settable gait is no value of a copy.
+    and not issubclass(kind, (surefoot.Controller, surefoot.Supervisor))
     and any(isinstance(p, property) and p.fset for p in vars(kind).values())
 ]
 RESULTS = ["ArmingCheck", "ArmingReport", "FaultReport", "EstimatorReport", "Solution"]
