@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gait/trot_load.hpp"
 #include "reference/capture_margin.hpp"
 
 namespace surefoot {
@@ -31,7 +32,8 @@ WalkPlanner::WalkPlanner(const Robot& robot, double velocity_timeout, double pow
 
 WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout,
                          double power_limit)
-    : command_(size, velocity_timeout, power_limit / (robot.mass() * kGravity * size.speed)),
+    : can_walk_(trot_load(robot).share <= kMaxTrotLoad),
+      command_(size, velocity_timeout, power_limit / (robot.mass() * kGravity * size.speed)),
       stand_(robot),
       stepping_(size) {}
 
@@ -69,13 +71,14 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
 
 bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > kAirborneTime) return false;
-  return !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
+  return can_walk_ && !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
 }
 
 // Return whether a standing robot must step: the capture point leaves the polygon of the feet. With
 // two feet off the ground it steps earlier, because the body already turns about the others.
 bool WalkPlanner::must_step(const PlannerInput& input) const noexcept {
-  if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > 0.0) return false;
+  if (!can_walk_ || input.lost_leg >= 0) return false;
+  if (time_ < kStandingTime || airborne_time_ > 0.0) return false;
   const bool tips = (input.state.contact.array() < kLostContact).count() >= 2;
   const double margin =
       tips ? input.gains.recovery_margin : std::min(input.gains.recovery_margin, 0.0);

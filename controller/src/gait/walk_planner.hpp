@@ -31,6 +31,8 @@ class WalkPlanner : public Planner {
   /// Return whether a pose is latched or the robot walks.
   bool has_started() const noexcept { return walking_ || stand_.has_latched(); }
   bool walking() const noexcept { return walking_; }
+  /// Return whether the motors can carry the robot on two feet, see kMaxTrotLoad; else it stands.
+  bool can_walk() const noexcept { return can_walk_; }
   Gait gait() const noexcept { return gait_; }
   const VelocityCommand& command() const noexcept { return command_; }
   StandPlanner& stand() noexcept { return stand_; }
@@ -46,6 +48,7 @@ class WalkPlanner : public Planner {
   bool must_stand() const noexcept;
   bool plan_stand(const PlannerInput& input, Reference& reference) noexcept;
 
+  bool can_walk_;
   Gait gait_ = Gait::kAuto;
   bool walking_ = false;
   double time_ = 0.0;           // [s] since reset()
