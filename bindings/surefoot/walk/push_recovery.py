@@ -10,6 +10,7 @@ import numpy.typing as npt
 from surefoot.sim import Push
 from surefoot.walk.heading_frame import attitude_on_ground, heading_velocity
 from surefoot.walk.walk_log import WalkLog
+from surefoot.walk.walk_motion import WalkMotion
 
 # A robot has recovered when it follows its command again. Chosen: above the sway of a trot at 0.6
 # m/s (0.05 m/s, 1 deg), and far below what a push of half the LIP push limit causes.
@@ -17,7 +18,7 @@ RECOVERED_SPEED = 0.15  # [m/s] tolerance of the horizontal velocity
 RECOVERED_TILT = math.radians(5.0)  # [rad] tolerance of roll and of pitch
 
 
-def recovered_ticks(log: WalkLog) -> npt.NDArray[np.bool_]:
+def recovered_ticks(log: WalkMotion) -> npt.NDArray[np.bool_]:
     """Return a mask (n,) of ticks at which velocity and attitude are as commanded."""
     speed_error = np.linalg.norm((heading_velocity(log) - log.commanded)[:, :2], axis=1)
     tilt = np.abs(attitude_on_ground(log)[:, :2]).max(axis=1)
