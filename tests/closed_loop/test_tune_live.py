@@ -30,10 +30,10 @@ from surefoot.tune.live.metric_curves import BUCKET_TIME, Curves, TickMetrics
 from surefoot.tune.live.page import Page
 from surefoot.tune.live.push_cost import push_cost
 from surefoot.tune.live.robot_mesh import body_meshes
+from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.server import close_server, open_server
 from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
-from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.slider_range import slider_range
 from surefoot.tune.live.treadmill import Treadmill
 from surefoot.tune.live.udp_session import UdpSession

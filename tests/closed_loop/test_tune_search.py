@@ -19,12 +19,12 @@ import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
 from surefoot.robot.gain_files import gain_values
 from surefoot.sim import PlantSettings
-from surefoot.tune.search.stand_episode import StandEpisode
 from surefoot.tune.search.final_evaluation import select_best_trial
 from surefoot.tune.search.rollout import BROKEN_COST, Outcome, TrialJob, evaluate_exclusively
 from surefoot.tune.search.run import run_search
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply_parameters, default_space, parse_parameter
+from surefoot.tune.search.stand_episode import StandEpisode
 from surefoot.tune.search.summary import summarise
 from surefoot.tune.search.trial_journal import open_trial_journal
 from surefoot.tune.search.trial_queue import TrialQueue
