@@ -68,7 +68,7 @@ def roll_out(
         ControllerFailure: The controller failed; see the class.
     """
     ticks = round(duration * plant.settings.control_rate)
-    lost = _lost_frames(condition, plant.settings.seed, ticks)
+    lost = lost_frames(condition, plant.settings.seed, ticks)
     move_ground = ground_mover(condition, plant)
     recorder = _TrajectoryRecorder(plant, ticks + 1)
     received = plant.reset()
@@ -127,7 +127,7 @@ class _TrajectoryRecorder:
         return TrueTrajectory(self._base[:rows], feet, feet_without_roll, fall_tick, rate)
 
 
-def _lost_frames(condition: Condition, seed: int, ticks: int) -> np.ndarray:
+def lost_frames(condition: Condition, seed: int, ticks: int) -> np.ndarray:
     """Return a mask (2, ticks): True if the LowState (row 0) or LowCmd (row 1) of a tick is lost.
 
     In tick 0 no frame is lost.

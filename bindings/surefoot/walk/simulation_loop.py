@@ -45,7 +45,23 @@ def run_walk(settings: WalkSettings, progress: Progress | None = None) -> WalkLo
         Error: The robot is unknown, or a gain, an option or a push is out of range. The error is
             raised before the first tick.
     """
-    plant = make_plant(settings)
+    return simulate_walk(make_plant(settings), settings, progress)
+
+
+def simulate_walk(
+    plant: Plant, settings: WalkSettings, progress: Progress | None = None
+) -> WalkLog:
+    """Simulate a walk on a plant that exists; repeated runs on one plant give equal logs.
+
+    Args:
+        plant: Result of make_plant(settings). The function resets the plant first.
+        settings: Settings of the run; its gains may differ from those of an earlier run.
+        progress: Function that is called after every tick.
+
+    Raises:
+        Error: A gain or an option is out of range.
+    """
+    state = plant.reset()
     gains = settings.gains or plant.robot.config.gains
     controller = WalkController(plant.robot, gains, settings.walk_options)
     controller.gait = settings.gait
@@ -53,7 +69,7 @@ def run_walk(settings: WalkSettings, progress: Progress | None = None) -> WalkLo
     velocities = {k: request.velocity for k, request in ticks}
     header = log_header(settings, plant)
     recorder = LogRecorder(settings.ticks, plant.robot.nq, plant.robot.nv, _ARRAYS)
-    state, velocity = plant.reset(), WalkVelocity()
+    velocity = WalkVelocity()
     truth = plant.truth
     touching: frozenset[tuple[str, str]] = frozenset()
     for k in range(settings.ticks):

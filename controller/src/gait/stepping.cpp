@@ -70,6 +70,9 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
   ground_.update(kNormalTime * size_.time, input.dt);
   body_.update(input.gains, command, measured, input.dt);
   body_.write(ground_, input.delay, reference);
+  // For those who compare base and reference: the QP moves the centre of mass.
+  reference.p_base = reference.p_com + input.state.q.head<3>() - input.p_com;
+  reference.v_base = reference.v_com;
   reference.stepping = true;
   for (int leg = 0; leg < kLegs; ++leg) {
     plan_foot(leg, input, measured);
