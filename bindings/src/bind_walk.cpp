@@ -61,10 +61,10 @@ void bind_options(nb::module_& m) {
 }
 
 void bind_walk_controller(nb::module_& m) {
-  nb::class_<WalkController, Controller>(
+  nb::class_<WalkController, StandController>(
       m, "WalkController",
-      "Controller that walks: LowState and a velocity in, LowCmd out.\n\n"
-      "At velocity 0 it stands like a StandController. At another velocity it trots:\n"
+      "A StandController that also walks: LowState and a velocity in, LowCmd out.\n\n"
+      "At velocity 0 it stands. At another velocity it trots:\n"
       "diagonal pairs of feet step in turn. Footholds follow the measured velocity, so the\n"
       "robot also steps after a push. When the velocity is 0 again, it steps until its feet\n"
       "are in the nominal stance, and stands. With a lost leg it only stands.")

@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-class StandPlanner;
+class WalkPlanner;
 
 /// Controller that holds the body at the latched pose, or moves it to a BodyReference.
 ///
@@ -39,10 +39,14 @@ class StandController : public Controller {
   /// Real-time: yes.
   double capture_margin_without(int leg) const noexcept;
 
- private:
-  StandController(const Robot& robot, std::shared_ptr<StandPlanner> planner, const Gains& gains,
+ protected:
+  StandController(const Robot& robot, std::shared_ptr<WalkPlanner> planner, const Gains& gains,
                   const ControllerOptions& options);
-  std::shared_ptr<StandPlanner> planner_;
+  WalkPlanner& planner() noexcept { return *planner_; }
+  const WalkPlanner& planner() const noexcept { return *planner_; }
+
+ private:
+  std::shared_ptr<WalkPlanner> planner_;
 };
 
 }  // namespace surefoot

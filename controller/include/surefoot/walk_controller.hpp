@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-
-#include "surefoot/controller.hpp"
+#include "surefoot/stand_controller.hpp"
 #include "surefoot/walk_velocity.hpp"
 
 namespace surefoot {
-
-class WalkPlanner;
 
 /// Options of a WalkController: fixed at construction, unlike gains.
 struct WalkOptions {
@@ -21,13 +17,13 @@ struct WalkOptions {
   void validate() const;
 };
 
-/// Controller that walks: LowState and a velocity in, LowCmd out.
+/// A StandController that also walks: LowState and a velocity in, LowCmd out.
 ///
-/// At velocity 0 it stands like a StandController. At another velocity it trots: diagonal pairs of
+/// At velocity 0 it stands. At another velocity it trots: diagonal pairs of
 /// feet step in turn. While it trots, footholds follow the measured velocity, so its steps brake
 /// pushes. When the velocity is 0 again, it steps until its feet are in the nominal stance, and
 /// stands. With a lost leg it only stands.
-class WalkController : public Controller {
+class WalkController : public StandController {
  public:
   /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the
   /// robot does not have twelve joints on a free base, or if a gain or an option is invalid.
@@ -54,11 +50,6 @@ class WalkController : public Controller {
   FeetMatrix footholds() const noexcept;
   /// Planned loads FR FL RR RL, 0 .. 1; 0: the foot swings.
   Eigen::Vector4d planned_loads() const noexcept;
-
- private:
-  WalkController(const Robot& robot, std::shared_ptr<WalkPlanner> planner, const Gains& gains,
-                 const WalkOptions& options);
-  std::shared_ptr<WalkPlanner> planner_;
 };
 
 }  // namespace surefoot

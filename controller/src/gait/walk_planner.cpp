@@ -37,12 +37,12 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
   update_times(input);
   const bool walk = wants_to_walk(input);
   if (!walking_ && !(walk && input.state.contact.minCoeff() > kContact)) {
-    return stand(input, reference);
+    return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
     walking_ = false;
     stand_.reset();  // it latches the pose in which the walk ends
-    return stand(input, reference);
+    return plan_stand(input, reference);
   }
   if (!walking_) stepping_.start(input);
   walking_ = true;
@@ -67,7 +67,7 @@ bool WalkPlanner::must_stand() const noexcept {
 }
 
 // The stand does not write the fields that are cleared here.
-bool WalkPlanner::stand(const PlannerInput& input, Reference& reference) noexcept {
+bool WalkPlanner::plan_stand(const PlannerInput& input, Reference& reference) noexcept {
   reference.stepping = false;
   reference.a_com.setZero();
   for (FootReference& foot : reference.feet) foot = FootReference();

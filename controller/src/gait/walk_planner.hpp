@@ -15,7 +15,7 @@ namespace surefoot {
 class WalkPlanner : public Planner {
  public:
   /// @param velocity_timeout age above which a commanded velocity becomes 0 [s]
-  WalkPlanner(const Robot& robot, double velocity_timeout);
+  explicit WalkPlanner(const Robot& robot, double velocity_timeout = 0.5);
 
   void set_velocity(const Gains& gains, const WalkVelocity& velocity) noexcept {
     command_.set(gains, velocity);
@@ -24,9 +24,13 @@ class WalkPlanner : public Planner {
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
   void reset() noexcept override;
 
+  /// Return whether a pose is latched or the robot walks.
+  bool has_started() const noexcept { return walking_ || stand_.has_latched(); }
   bool walking() const noexcept { return walking_; }
   Gait gait() const noexcept { return gait_; }
   const VelocityCommand& command() const noexcept { return command_; }
+  StandPlanner& stand() noexcept { return stand_; }
+  const StandPlanner& stand() const noexcept { return stand_; }
   const Stepping& stepping() const noexcept { return stepping_; }
 
  private:
@@ -34,7 +38,7 @@ class WalkPlanner : public Planner {
   void update_times(const PlannerInput& input) noexcept;
   bool wants_to_walk(const PlannerInput& input) const noexcept;
   bool must_stand() const noexcept;
-  bool stand(const PlannerInput& input, Reference& reference) noexcept;
+  bool plan_stand(const PlannerInput& input, Reference& reference) noexcept;
 
   Gait gait_ = Gait::kAuto;
   bool walking_ = false;

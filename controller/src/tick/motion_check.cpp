@@ -15,11 +15,16 @@ namespace {
 // [s] Time constant of the displacements: older motion fades. Chosen. If smaller: slow motion does
 // not reach the tolerances. If larger: the drift by a gyroscope's bias comes closer to them.
 constexpr double kMemory = 0.1;
-// [rad] Differences that are no contradiction, per joint and of a turn. Derived: three times the
-// noise of velocities and the bias of a gyroscope give 1.5 and 5 mrad within kMemory. Twice the
-// tolerance is the smallest motion at which a sensor that reads zero is found.
+// [rad] Differences that are no contradiction, per joint and of a turn by gyroscope and quaternion.
+// Derived: three times the noise of velocities and the bias of a gyroscope give 1.5 and 5 mrad
+// within kMemory. Twice the tolerance is the smallest motion at which a sensor that reads zero is
+// found.
 constexpr double kJointTolerance = 0.005;
 constexpr double kTurnTolerance = 0.02;
+// [foot radius] Height by which soft soles and soft ground change below one side of the robot when
+// its load changes. The body turns with them, and the legs cannot measure that. Assumed: half of
+// the radius below each of two sides.
+constexpr double kSoleHeight = 1.0;
 // [larger displacement] Difference that is no contradiction. Chosen. Larger than scale errors and
 // delays; smaller than 0.9, a sensor in units of g. 200 healthy starts of
 // benchmarks/sensor_matrix.py reach half of both tolerances.
@@ -41,6 +46,13 @@ bool contradict(const Vector& a, const Vector& b, double tolerance) noexcept {
   return (a - b).norm() > tolerance + kShare * std::max(a.norm(), b.norm());
 }
 
+// Return the turn [rad] by soft soles: their height over the shorter side of the stance.
+double turn_by_soles(const Dynamics& dynamics, double foot_radius) noexcept {
+  const FeetMatrix p = contact_points(dynamics);
+  const double width = std::min((p.col(FL_) - p.col(FR_)).norm(), (p.col(FL_) - p.col(RL_)).norm());
+  return kSoleHeight * foot_radius / std::max(width, foot_radius);
+}
+
 template <typename Vector>
 Vector clamped(const Vector& values, double limit) noexcept {
   return values.cwiseMax(-limit).cwiseMin(limit);
@@ -52,7 +64,7 @@ Status MotionCheck::update(const LowState& low_state, const RobotConfig& config,
                            const StateEstimator& estimator, bool feet_stand, double dt) noexcept {
   read(low_state, config, estimator, dt);
   if (!feet_stand) by_gyroscope_ = by_quaternion_ = by_legs_ = Vector3::Zero();
-  const Status turns = turns_done_ ? Status::kOk : judge_turns(estimator);
+  const Status turns = turns_done_ ? Status::kOk : judge_turns(config, estimator);
   const Status joints = joints_done_ ? Status::kOk : judge_joints(estimator);
   return joints != Status::kOk ? joints : turns;
 }
@@ -98,13 +110,15 @@ void MotionCheck::add_joints(const Vector12& by_q, const Vector12& by_dq, double
   by_dq_ += by_q + clamped<Vector12>(beyond_q, kMaxJointStep);
 }
 
-Status MotionCheck::judge_turns(const StateEstimator& estimator) noexcept {
+Status MotionCheck::judge_turns(const RobotConfig& config,
+                                const StateEstimator& estimator) noexcept {
+  const double tolerance = kTurnTolerance + turn_by_soles(estimator.dynamics(), config.foot_radius);
   const bool quaternion = contradict(by_gyroscope_, by_quaternion_, kTurnTolerance);
-  const bool legs = contradict(by_gyroscope_, by_legs_, kTurnTolerance);
-  const bool others = contradict(by_quaternion_, by_legs_, kTurnTolerance);
+  const bool legs = contradict(by_gyroscope_, by_legs_, tolerance);
+  const bool others = contradict(by_quaternion_, by_legs_, tolerance);
   if (quaternion && legs && !others) return Status::kWrongGyroscope;
   if (legs && others && !quaternion) return wrong_joints(estimator);
-  turns_done_ = !quaternion && !legs && by_gyroscope_.norm() > kMotion * kTurnTolerance;
+  turns_done_ = !quaternion && !legs && by_gyroscope_.norm() > kMotion * tolerance;
   return Status::kOk;
 }
 

@@ -9,7 +9,8 @@ namespace surefoot {
 ///
 ///   joints:          change of q, integral of dq
 ///   turn of the body: integral of the gyroscope, change of the quaternion, integral of the rate at
-///                    which the stance feet are at rest (rate_from_legs(): q and dq)
+///                    which the stance feet are at rest (rate_from_legs(): q and dq),
+///                    within the turn that soft soles allow
 /// All displacements are those of about the last 0.1 s. Of the three turns, two that agree outvote
 /// the third. Sensors that agree about a motion are right: their check ends. Real-time: yes.
 class MotionCheck {
@@ -23,7 +24,7 @@ class MotionCheck {
   void reset() noexcept { *this = MotionCheck(); }
 
  private:
-  Status judge_turns(const StateEstimator& estimator) noexcept;
+  Status judge_turns(const RobotConfig& config, const StateEstimator& estimator) noexcept;
   Status judge_joints(const StateEstimator& estimator) noexcept;
   Status wrong_joints(const StateEstimator& estimator) const noexcept;
   void read(const LowState& low_state, const RobotConfig& config, const StateEstimator& estimator,

@@ -25,36 +25,33 @@ void WalkOptions::validate() const {
 
 WalkController::WalkController(const Robot& robot) : WalkController(robot, robot.config().gains) {}
 WalkController::WalkController(const Robot& robot, const Gains& gains, const WalkOptions& options)
-    : WalkController(robot,
-                     std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout),
-                     gains, options) {}
-WalkController::WalkController(const Robot& robot, std::shared_ptr<WalkPlanner> planner,
-                               const Gains& gains, const WalkOptions& options)
-    : Controller(robot, planner, gains, options.tick), planner_(std::move(planner)) {}
+    : StandController(robot,
+                      std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout),
+                      gains, options.tick) {}
 WalkController::~WalkController() = default;
 WalkController::WalkController(WalkController&&) noexcept = default;
 
 void WalkController::set_velocity(const WalkVelocity& velocity) noexcept {
-  planner_->set_velocity(active_gains(), velocity);
+  planner().set_velocity(active_gains(), velocity);
 }
 WalkVelocity WalkController::commanded_velocity() const noexcept {
-  return planner_->command().velocity();
+  return planner().command().velocity();
 }
 WalkVelocity WalkController::reference_velocity() const noexcept {
-  return walking() ? planner_->stepping().body().velocity() : WalkVelocity();
+  return walking() ? planner().stepping().body().velocity() : WalkVelocity();
 }
-WalkLimit WalkController::velocity_limit() const noexcept { return planner_->command().limit(); }
+WalkLimit WalkController::velocity_limit() const noexcept { return planner().command().limit(); }
 
-void WalkController::set_gait(Gait gait) noexcept { planner_->set_gait(gait); }
-Gait WalkController::gait() const noexcept { return planner_->gait(); }
+void WalkController::set_gait(Gait gait) noexcept { planner().set_gait(gait); }
+Gait WalkController::gait() const noexcept { return planner().gait(); }
 bool WalkController::walking() const noexcept {
-  return planner_->walking() && status() != Status::kDamping;
+  return planner().walking() && status() != Status::kDamping;
 }
-FeetMatrix WalkController::footholds() const noexcept { return planner_->stepping().footholds(); }
+FeetMatrix WalkController::footholds() const noexcept { return planner().stepping().footholds(); }
 Eigen::Vector4d WalkController::planned_loads() const noexcept {
   if (!walking()) return Eigen::Vector4d::Ones();
   Eigen::Vector4d loads;
-  for (int leg = 0; leg < kLegs; ++leg) loads[leg] = planner_->stepping().contacts().load(leg);
+  for (int leg = 0; leg < kLegs; ++leg) loads[leg] = planner().stepping().contacts().load(leg);
   return loads;
 }
 
