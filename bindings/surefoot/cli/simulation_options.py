@@ -56,7 +56,7 @@ def add_plant_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGrou
 
 
 def add_flaw_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
-    """Add the options that make the plant differ from the controller's model; return their group."""
+    """Add the options of model errors, unknown to the controller; return their group."""
     group = parser.add_argument_group("model errors of motors and ground")
     add = group.add_argument
     add(

@@ -21,8 +21,8 @@ impratio, and by default the velocity gain of friction from the damping of the s
 the velocity gain are set so that the tangential behaviour does not change. Otherwise feet would
 creep, and a sliding foot would rise.
 
-The calf sinks with its foot, so collisions of calves with the ground plane are switched off. For all
-other parts, and for calves at the edges of a terrain, the ground is rigid.
+The calf sinks with its foot, so collisions of calves with the ground plane are switched off. For
+all other parts, and for calves at the edges of a terrain, the ground is rigid.
 """
 
 from __future__ import annotations
