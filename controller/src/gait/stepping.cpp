@@ -83,7 +83,7 @@ Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
 }
 
 double Stepping::longest_wait() const noexcept {
-  if (stumble_.any()) return stumble_.time();
+  if (stumble_.any()) return stumble_.longest_time();
   return contacts_.late(clock_) ? kMaxWait * clock_.timing().period : 0.0;
 }
 

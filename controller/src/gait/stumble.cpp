@@ -57,6 +57,7 @@ bool Stumble::any() const noexcept {
 }
 
 double Stumble::time() const noexcept { return kTime * size_.time; }
+double Stumble::longest_time() const noexcept { return kMaxLifts * time(); }
 double Stumble::time_left(int leg) const noexcept {
   return std::max(1.0 - progress_[leg], 0.0) * time();
 }

@@ -31,6 +31,7 @@ class Stumble {
   double progress(int leg) const noexcept { return progress_[leg]; }  ///< of the lift, 0 .. 1
   double time_left(int leg) const noexcept;                           ///< of the lift [s]
   double time() const noexcept;                                       ///< of a whole lift [s]
+  double longest_time() const noexcept;  ///< of all lifts in a swing [s]
   /// Whether the lift still goes straight up.
   bool rises(int leg) const noexcept;
   /// Point from which the lift begins: a little back from the obstacle, world frame [m].

@@ -22,9 +22,9 @@ enum class SwingContact {
 
 /// Judge what stops a swing foot. Real-time: yes.
 ///
-/// A contact force alone does not tell whether a foot has landed or hit the face of a step, so the
-/// direction in which the foot has stopped decides. A foot far behind its reference is stopped too,
-/// even without contact confidence.
+/// A contact force alone does not tell whether a foot has landed or hit the face of a step:
+/// friction makes both alike. So the direction in which the foot stays behind its reference
+/// decides.
 SwingContact judge_swing_contact(const SwingFoot& foot, const GaitSize& size) noexcept;
 
 }  // namespace surefoot
