@@ -106,7 +106,8 @@ PLOTS: tuple[Plot[WalkLog], ...] = (
         "footsteps.png",
         "Footsteps from above",
         "True places of the feet in the middle of each stance phase, and the true path of the "
-        "centre of mass, on the terrain. The integrated command has neither acceleration nor pushes.",
+        "centre of mass, on the terrain. The integrated command has neither acceleration nor "
+        "pushes.",
         draw_footsteps,
     ),
     Plot(
