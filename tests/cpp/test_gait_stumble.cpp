@@ -87,6 +87,22 @@ BOOST_FIXTURE_TEST_CASE(foot_at_a_face_lifts_from_a_point_behind_it_and_is_not_i
   BOOST_TEST((stumble.lifting(FR_) && !stumble.begins(FR_)));
 }
 
+// A saturated motor leaves a foot behind its reference; the foot bounces off a face at once.
+BOOST_FIXTURE_TEST_CASE(foot_stumbles_only_after_it_has_touched_something, StumbleFixture) {
+  hit_a_face();
+  foot.contact = 0.0;
+  update();
+  BOOST_TEST(!stumble.lifting(FR_));
+  foot.contact = 1.0;
+  foot.p_reference = foot.p;  // the first tick of the contact
+  update();
+  BOOST_TEST(!stumble.lifting(FR_));
+  hit_a_face();
+  foot.contact = 0.0;
+  update();
+  BOOST_TEST(stumble.lifting(FR_));
+}
+
 BOOST_FIXTURE_TEST_CASE(lift_ends_when_the_foot_lands_on_the_step, StumbleFixture) {
   hit_a_face();
   update();

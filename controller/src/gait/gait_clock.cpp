@@ -6,12 +6,6 @@
 
 namespace surefoot {
 
-namespace {
-
-double fraction(double value) noexcept { return value - std::floor(value); }
-
-}  // namespace
-
 void GaitClock::advance(const GaitTiming& timing, double max_wait, bool stop, double dt) noexcept {
   timing_ = timing;
   for (int leg = 0; leg < kLegs; ++leg) {

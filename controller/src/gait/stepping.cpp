@@ -6,6 +6,8 @@
 
 #include "gait/foothold.hpp"
 #include "gait/gait_timing.hpp"
+#include "gait/step_timing.hpp"
+#include "reference/capture_margin.hpp"
 
 namespace surefoot {
 
@@ -27,11 +29,28 @@ HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   return {input.p_com.head<2>(), input.v_com.head<2>(), std::atan2(R(1, 0), R(0, 0))};
 }
 
+// Return a leg of the pair that shall step first: the capture point is then nearest to the line
+// between the feet of the other pair.
+int leg_to_swing(const PlannerInput& input) noexcept {
+  const Eigen::Vector2d capture = capture_point(input.dynamics);
+  const auto distance = [&](int a, int b) {
+    const Eigen::Vector2d p = input.p_feet.col(a).head<2>();
+    const Eigen::Vector2d line = (input.p_feet.col(b).head<2>() - p).normalized();
+    const Eigen::Vector2d d = capture - p;
+    return std::abs(line.x() * d.y() - line.y() * d.x());
+  };
+  return distance(FL_, RR_) < distance(FR_, RL_) ? FR_ : FL_;
+}
+
 }  // namespace
 
-void Stepping::start(const PlannerInput& input) noexcept {
+void Stepping::start(const PlannerInput& input, bool step_at_once) noexcept {
   at_rest_ = false;
-  clock_.start();
+  if (step_at_once) {
+    clock_.start_swing(leg_to_swing(input));
+  } else {
+    clock_.start();
+  }
   contacts_.start();
   stumble_.start();
   clearance_.start();
@@ -46,8 +65,7 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
   const HorizontalMotion measured = measured_motion(input);
   at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input));
   const Eigen::Vector4d contact = judge_contacts(input);
-  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), longest_wait(), at_rest_,
-                 input.dt);
+  update_clock(input, measured);
   contacts_.update(clock_, contact, stumble_.lifting(), input.dt);
   update_ground(input);
   body_.update(input.gains, command, measured, input.dt);
@@ -57,6 +75,12 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
     plan_foot(leg, input, measured);
     write_foot(leg, input, reference.feet[leg]);
   }
+}
+
+void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
+  GaitTiming timing = trot_timing(input.gains, size_, body_.velocity());
+  timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
+  clock_.advance(timing, longest_wait(), at_rest_, input.dt);
 }
 
 // Return the contact confidences, but 0 of a swing foot that hits an obstacle.

@@ -18,6 +18,8 @@ constexpr double kRetract = 0.05;
 constexpr double kRise = 0.3, kEarliestLanding = 0.5;
 // Share of a scheduled swing before which contacts are those of the lift-off.
 constexpr double kEarliestStumble = 0.2;
+// Contact confidence above which a foot touches something. A foot bounces off a face within 10 ms.
+constexpr double kTouched = 0.5;
 // Most lifts in a swing. Chosen: a foot that is still stopped then stands where it is.
 constexpr int kMaxLifts = 2;
 
@@ -26,7 +28,7 @@ constexpr int kMaxLifts = 2;
 void Stumble::start() noexcept { *this = Stumble(size_); }
 
 void Stumble::end(int leg) noexcept {
-  lifting_[leg] = begins_[leg] = false;
+  lifting_[leg] = begins_[leg] = touched_[leg] = false;
   lifts_[leg] = 0;
 }
 
@@ -34,11 +36,14 @@ double Stumble::update(int leg, const SwingFoot& foot, double progress, double d
   const SwingContact judged = judge_swing_contact(foot, size_);
   begins_[leg] = false;
   if (lifting_[leg]) progress_[leg] += dt / time();
-  if (judged == SwingContact::kObstacle && may_stumble(leg, progress)) {
+  // After a push, saturated motors leave a foot behind its reference too; it then touches nothing.
+  touched_[leg] = touched_[leg] || (foot.contact > kTouched && may_stumble(leg, progress));
+  if (judged == SwingContact::kObstacle && touched_[leg]) {
     const Eigen::Vector2d ahead = foot.v_reference.head<2>().normalized();
     p_start_[leg] << foot.p.head<2>() - kRetract * size_.height * ahead, foot.p.z();
     progress_[leg] = 0.0;
     lifting_[leg] = begins_[leg] = true;
+    touched_[leg] = false;
     ++lifts_[leg];
   }
   const bool may_land = !lifting_[leg] || progress_[leg] > kEarliestLanding;
