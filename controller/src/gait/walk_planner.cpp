@@ -16,8 +16,8 @@ constexpr double kStandingTime = 0.3;
 // [s] Time without any contact after which the robot is lifted or falls. Chosen: longer than the
 // flight of a fast trot, 80 ms at h = 0.3 m.
 constexpr double kAirborneTime = 0.2;
-// Sum of the contact confidences below which no foot is in contact, and confidence that each foot
-// must exceed to begin a walk.
+// Sum of the contact confidences below which no foot is in contact, and confidence that three feet
+// must exceed to begin a walk: on a slope the fourth one may carry next to nothing.
 constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
@@ -48,7 +48,8 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
   update_times(input);
   const bool walk = wants_to_walk(input);
   const bool recover = !walking_ && must_step(input);
-  if (!walking_ && !recover && !(walk && input.state.contact.minCoeff() > kContact)) {
+  const bool may_walk = walk && (input.state.contact.array() > kContact).count() >= 3;
+  if (!walking_ && !recover && !may_walk) {
     return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
