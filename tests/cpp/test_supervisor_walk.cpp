@@ -151,14 +151,14 @@ BOOST_AUTO_TEST_CASE(walk_ends_when_the_velocity_expires) {
 
 BOOST_AUTO_TEST_CASE(velocity_has_no_effect_unless_the_mode_is_walk) {
   StandingRobot robot;
-  robot.supervisor.set_velocity({0.3, 0.0, 0.0});
+  robot.supervisor.set_velocity({0.2, 0.0, 0.0});
   robot.run(0.1);
   BOOST_TEST(!robot.supervisor.controller().walking());
   robot.request(Mode::kWalk);
-  robot.supervisor.set_velocity({0.3, 0.0, 0.0});
+  robot.supervisor.set_velocity({0.2, 0.0, 0.0});
   robot.run(0.1);
   BOOST_TEST(robot.supervisor.controller().walking());
-  BOOST_TEST(robot.supervisor.controller().commanded_velocity().vx == 0.3);
+  BOOST_TEST(robot.supervisor.controller().commanded_velocity().vx == 0.2);
 }
 
 BOOST_AUTO_TEST_CASE(robot_that_walks_stops_before_it_sits_down_and_damps_at_once) {
