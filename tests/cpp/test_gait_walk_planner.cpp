@@ -53,4 +53,11 @@ BOOST_FIXTURE_TEST_CASE(swing_foot_moves_towards_its_foothold, PlannedWalk) {
   BOOST_TEST(reference.feet[FR_].v_world.norm() == 0.0);
 }
 
+// On a lateral slope one foot may carry next to nothing.
+BOOST_FIXTURE_TEST_CASE(walk_begins_when_one_foot_carries_nothing_for_some_time, PlannedWalk) {
+  state.contact[FL_] = 0.0;
+  walk({0.3, 0.0, 0.0}, 0.4);
+  BOOST_TEST(planner.walking());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,8 +16,9 @@ constexpr double kStandingTime = 0.3;
 // [s] Time without any contact after which the robot is lifted or falls. Chosen: longer than the
 // flight of a fast trot, 80 ms at h = 0.3 m.
 constexpr double kAirborneTime = 0.2;
-// Sum of the contact confidences below which no foot is in contact, and confidence that three feet
-// must exceed to begin a walk: on a slope the fourth one may carry next to nothing.
+// Sum of the contact confidences below which no foot is in contact, and confidence that all feet
+// must exceed to begin a walk. Three feet suffice after kStandingTime: on a slope the fourth one
+// may carry next to nothing.
 constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
@@ -39,7 +40,7 @@ WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double veloci
 
 void WalkPlanner::reset() noexcept {
   walking_ = false;
-  time_ = airborne_time_ = lost_time_ = 0.0;
+  time_ = airborne_time_ = carried_time_ = lost_time_ = 0.0;
   command_.reset();
   stand_.reset();
 }
@@ -48,7 +49,8 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
   update_times(input);
   const bool walk = wants_to_walk(input);
   const bool recover = !walking_ && must_step(input);
-  const bool may_walk = walk && (input.state.contact.array() > kContact).count() >= 3;
+  const bool carried = input.state.contact.minCoeff() > kContact || carried_time_ > kStandingTime;
+  const bool may_walk = walk && carried;
   if (!walking_ && !recover && !may_walk) {
     return plan_stand(input, reference);
   }
@@ -67,6 +69,8 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
   command_.advance(input.dt);
   time_ += input.dt;
   airborne_time_ = input.state.contact.sum() < kContact ? airborne_time_ + input.dt : 0.0;
+  const bool mostly_carried = (input.state.contact.array() > kContact).count() >= 3;
+  carried_time_ = mostly_carried ? carried_time_ + input.dt : 0.0;
   lost_time_ = input.lost_leg >= 0 ? lost_time_ + input.dt : 0.0;
 }
 

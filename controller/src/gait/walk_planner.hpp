@@ -53,6 +53,7 @@ class WalkPlanner : public Planner {
   bool walking_ = false;
   double time_ = 0.0;           // [s] since reset()
   double airborne_time_ = 0.0;  // [s] for which no foot has been in contact
+  double carried_time_ = 0.0;   // [s] for which at most one foot has not been in contact
   double lost_time_ = 0.0;      // [s] since the leg was lost
   VelocityCommand command_;
   StandPlanner stand_;
