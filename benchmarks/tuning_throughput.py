@@ -24,8 +24,8 @@ import mujoco
 from surefoot import load_robot
 from surefoot.robot.gain_files import gain_values
 from surefoot.sim import PlantSettings
-from surefoot.tune.search.stand_episode import StandEpisode
 from surefoot.tune.search.rollout import TrialJob, cached_plant, evaluate_exclusively
+from surefoot.tune.search.stand_episode import StandEpisode
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
