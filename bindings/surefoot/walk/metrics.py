@@ -46,6 +46,12 @@ def _walk_conditions(log: WalkLog) -> dict[str, Any]:
         "walking_sensors": plant.walking_sensors and plant.real,
         "soft_soles": plant.soft_soles,
         "leg_collisions": plant.leg_collisions,
+        "step_height": plant.terrain.step_height,
+        "step_heading_deg": plant.terrain.step_heading_deg,
+        "stairs_height": plant.terrain.stairs_height,
+        "stairs_tread": plant.terrain.stairs_tread,
+        "block_height": plant.terrain.block_height,
+        "lost_frames": log.settings.lost_frames,
     }
 
 

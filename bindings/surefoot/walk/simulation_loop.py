@@ -5,6 +5,7 @@ The loop logs the true state, the estimates and the commands of every tick.
 
 from __future__ import annotations
 
+import copy
 from time import thread_time_ns
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 
 from surefoot._core import WalkController, WalkVelocity
 from surefoot.sim import Plant, Truth
+from surefoot.sim.lost_frames import lost_frames
 from surefoot.stand.log_recorder import LogRecorder, log_header
 from surefoot.stand.simulation_loop import Progress, make_plant
 from surefoot.walk.settings import WalkSettings
@@ -69,20 +71,23 @@ def simulate_walk(
     velocities = {k: request.velocity for k, request in ticks}
     header = log_header(settings, plant)
     recorder = LogRecorder(settings.ticks, plant.robot.nq, plant.robot.nv, _ARRAYS)
-    velocity = WalkVelocity()
+    lost = lost_frames(settings.lost_frames, settings.plant.seed, settings.ticks)
+    velocity, received, applied = WalkVelocity(), state, None
     truth = plant.truth
     touching: frozenset[tuple[str, str]] = frozenset()
     for k in range(settings.ticks):
         velocity = velocities.get(k, velocity)
         controller.set_velocity(velocity)  # in every tick: a velocity times out
+        received = received if lost[0, k] else state
         start = thread_time_ns()
-        command = controller.update(state)
+        command = controller.update(received)
         tick_us = (thread_time_ns() - start) / 1000.0
         before, touching = touching, plant.leg_contacts
         row = _walk_row(plant, truth, controller)
         row["leg_contacts"] = len(touching - before)
-        recorder.record(truth, controller, command, tick_us, row)
-        state = plant.step(command)
+        applied = applied if lost[1, k] and applied is not None else copy.copy(command)
+        recorder.record(truth, controller, applied, tick_us, row)
+        state = plant.step(applied)
         truth = plant.truth
         if progress is not None:
             progress("walk", k + 1, settings.ticks)

@@ -21,13 +21,9 @@ struct Gains {
   double base_kd_tilt = 46.0;       ///< [1/s] roll and pitch damping
   double base_kp_yaw = 200.0;       ///< [1/s^2] yaw stiffness
   double base_kd_yaw = 26.0;        ///< [1/s] yaw damping
-  // Feet: feedback on the positions of the feet, and recovery steps.
+  // Feet: feedback on the positions of the feet.
   double foot_kp = 2500.0;  ///< [1/s^2] stiffness of a foot about its reference position
   double foot_kd = 50.0;    ///< [1/s] damping of the velocity of a foot
-  /// [m/s] Greatest speed at which foot_kp moves a foot; 100: no limit in practice.
-  double foot_speed = 100.0;
-  /// [m] Longest recovery step from the nominal foot position; 0: no steps.
-  double foot_step = 0.0;
   // Joints: posture task, and approach to the joint limits.
   double posture_kp = 100.0;  ///< [1/s^2] stiffness of the posture task
   double posture_kd = 20.0;   ///< [1/s] damping of the posture task
@@ -93,16 +89,23 @@ struct Gains {
   /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the
   /// capture point.
   double foothold_feedback = 0.7;
+  /// [h] Capture margin below which a standing robot that has lost two contacts steps; -10: never.
+  double recovery_margin = 0.05;
   double swing_height = 0.15;         ///< [h] height to which a swing foot rises
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
   double walk_acceleration = 0.2;        ///< [g] greatest acceleration of the commanded velocity
   double walk_turn_acceleration = 0.25;  ///< [g/h] the same of the commanded yaw rate
-  double walk_speed_forward = 1.2;       ///< [sqrt(g h)] greatest commanded speed forward
-  double walk_speed_backward = 0.6;      ///< [sqrt(g h)] greatest commanded speed backward
-  double walk_speed_sideways = 0.47;     ///< [sqrt(g h)] greatest commanded speed sideways
-  double walk_turn_speed = 0.52;         ///< [sqrt(g/h)] greatest commanded yaw rate
+  /// [m g sqrt(g h)] Power peaks of a trot in place.
+  double walk_power_rest = 0.45;
+  /// [m g sqrt(g h)] Additional power peaks at a speed of sqrt(g h); they grow with the cube of the
+  /// speed.
+  double walk_power_rise = 3.8;
+  double walk_speed_forward = 1.2;    ///< [sqrt(g h)] greatest commanded speed forward
+  double walk_speed_backward = 0.6;   ///< [sqrt(g h)] greatest commanded speed backward
+  double walk_speed_sideways = 0.47;  ///< [sqrt(g h)] greatest commanded speed sideways
+  double walk_turn_speed = 0.52;      ///< [sqrt(g/h)] greatest commanded yaw rate
   // Estimator: noise, contact detection, external wrench.
   double noise_gyroscope = 0.01;      ///< [rad/s] gyroscope noise until it has been measured
   double noise_accelerometer = 0.1;   ///< [m/s^2] accelerometer noise until it has been measured

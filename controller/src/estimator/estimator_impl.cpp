@@ -91,7 +91,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
   foot_motion.update_velocity(dynamics, dt);
-  slip.update(gains, v_contact, state.contact, stepping, dt);
+  slip.update(gains, {v_contact, state.contact, loads, normal, stepping}, dt);
   clearance.update(dynamics, filter, slip.velocity(), state.contact, contact.loaded_by_forces(),
                    normal, dt);
   ContactSignals signals;
@@ -173,7 +173,7 @@ bool StateEstimator::Impl::supported() const noexcept {
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   // The forces of feet that land and lift off are not known well enough to weigh a payload.
-  payload.update(gains, dynamics, leg_forces.forces(), supported && !stepping, dt);
+  payload.update(gains, dynamics, leg_forces.forces(), supported, stepping, dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;

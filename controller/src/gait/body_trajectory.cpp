@@ -62,7 +62,7 @@ void BodyTrajectory::write(const GroundPlane& ground, double ahead,
   const Vector3& n = ground.normal();
   const Eigen::Vector2d slope = -n.head<2>() / n.z();  // rise per distance
   reference.body_point = BodyPoint::kCenterOfMass;
-  reference.p_com << p, ground.height_at(p) + height_;
+  reference.p_com << p, ground.smooth_height_at(p) + height_;
   reference.v_com << v_, slope.dot(v_);
   reference.a_com << a_, slope.dot(a_);
   const Quaternion heading = exp_so3((yaw_ + ahead * velocity_.yaw_rate) * Vector3::UnitZ());

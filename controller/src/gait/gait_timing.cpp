@@ -20,11 +20,7 @@ constexpr double kMinStanceRatio = 0.45;
 
 GaitTiming trot_timing(const Gains& gains, const GaitSize& size,
                        const WalkVelocity& velocity) noexcept {
-  // Speed of the fastest hip.
-  const double arm = size.nominal_feet.topRows<2>().colwise().norm().maxCoeff();
-  const double speed =
-      std::max(std::hypot(velocity.vx, velocity.vy) + arm * std::abs(velocity.yaw_rate),
-               kMinSpeed * size.speed);
+  const double speed = std::max(size.fastest_hip(velocity), kMinSpeed * size.speed);
   // A swing foot travels speed * period in the swing time, with the peak kPeakSpeed times the mean:
   //   kPeakSpeed * speed * (stance + swing) / swing - speed <= swing_speed
   const double swing_speed = gains.gait_swing_speed * size.height * size.corner_speed;

@@ -6,6 +6,8 @@
 
 #include "gait/foothold.hpp"
 #include "gait/gait_timing.hpp"
+#include "gait/step_timing.hpp"
+#include "reference/capture_margin.hpp"
 
 namespace surefoot {
 
@@ -14,12 +16,12 @@ namespace {
 // [sqrt(g h)] Speed at which a foot reaches down that should have landed: 0.4 m/s at h = 0.3 m.
 // Chosen: about twice the default of swing_landing_speed.
 constexpr double kReachDownSpeed = 0.23;
-// [sqrt(h/g)] Time constant of the ground's normal: 0.35 s at h = 0.3 m. Chosen: about a period, so
-// that one foot on a step does not tilt the body.
-constexpr double kNormalTime = 2.0;
-// is_at_rest(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
+// [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
+// of a period of 0.42 s, has stepped into a hole.
+constexpr double kMaxWait = 0.15;
+// is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
-constexpr double kStopDistance = 0.067;
+constexpr double kStopDistance = 0.045;
 constexpr double kStopSpeed = 0.03;
 
 HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
@@ -27,12 +29,31 @@ HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   return {input.p_com.head<2>(), input.v_com.head<2>(), std::atan2(R(1, 0), R(0, 0))};
 }
 
+// Return a leg of the pair that shall step first: the capture point is then nearest to the line
+// between the feet of the other pair.
+int leg_to_swing(const PlannerInput& input) noexcept {
+  const Eigen::Vector2d capture = capture_point(input.dynamics);
+  const auto distance = [&](int a, int b) {
+    const Eigen::Vector2d p = input.p_feet.col(a).head<2>();
+    const Eigen::Vector2d line = (input.p_feet.col(b).head<2>() - p).normalized();
+    const Eigen::Vector2d d = capture - p;
+    return std::abs(line.x() * d.y() - line.y() * d.x());
+  };
+  return distance(FL_, RR_) < distance(FR_, RL_) ? FR_ : FL_;
+}
+
 }  // namespace
 
-void Stepping::start(const PlannerInput& input) noexcept {
+void Stepping::start(const PlannerInput& input, bool step_at_once) noexcept {
   at_rest_ = false;
-  clock_.start();
+  if (step_at_once) {
+    clock_.start_swing(leg_to_swing(input));
+  } else {
+    clock_.start();
+  }
   contacts_.start();
+  stumble_.start();
+  clearance_.start();
   ground_.start(input.p_feet);
   const Eigen::Vector2d p = input.p_com.head<2>();
   body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p));
@@ -43,13 +64,10 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
                     Reference& reference) noexcept {
   const HorizontalMotion measured = measured_motion(input);
   at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input));
-  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(clock_),
-                 at_rest_, input.dt);
-  contacts_.update(clock_, input.state.contact, input.dt);
-  for (int leg = 0; leg < kLegs; ++leg) {
-    if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
-  }
-  ground_.update(kNormalTime * size_.time, input.dt);
+  const Eigen::Vector4d contact = judge_contacts(input);
+  update_clock(input, measured);
+  contacts_.update(clock_, contact, stumble_.lifting(), input.dt);
+  update_ground(input);
   body_.update(input.gains, command, measured, input.dt);
   body_.write(ground_, input.delay, reference);
   // For those who compare base and reference: the QP moves the centre of mass.
@@ -62,6 +80,50 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
   }
 }
 
+void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
+  GaitTiming timing = trot_timing(input.gains, size_, body_.velocity());
+  timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
+  clock_.advance(timing, longest_wait(), at_rest_, input.dt);
+}
+
+// Return the contact confidences, but 0 of a swing foot that hits an obstacle.
+Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
+  Eigen::Vector4d contact = input.state.contact;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contacts_.phase(leg) != FootPhase::kSwing) {
+      stumble_.end(leg);
+      continue;
+    }
+    const Vector3 p = input.p_feet.col(leg);
+    const SwingFoot foot{swings_[leg].p_world(),
+                         swings_[leg].v_world(),
+                         p,
+                         input.v_feet.col(leg),
+                         p.z() - ground_.height_at(p.head<2>()),
+                         contact[leg]};
+    contact[leg] = stumble_.update(leg, foot, clock_.swing_progress(leg), input.dt);
+    if (!stumble_.begins(leg)) continue;
+    swings_[leg].lift_off(stumble_.p_start(leg));
+    clearance_.stumble();
+  }
+  return contact;
+}
+
+double Stepping::longest_wait() const noexcept {
+  if (stumble_.any()) return stumble_.longest_time();
+  return contacts_.late(clock_) ? kMaxWait * clock_.timing().period : 0.0;
+}
+
+void Stepping::update_ground(const PlannerInput& input) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 foot = input.p_feet.col(leg);
+    if (contacts_.landed(leg)) clearance_.land(foot.z() - ground_.height_at(foot.head<2>()));
+    if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, foot);
+  }
+  clearance_.advance(body_.v_world().norm(), input.dt);
+  ground_.update(size_.time, input.p_com.head<2>(), input.dt);
+}
+
 void Stepping::plan_foot(int leg, const PlannerInput& input,
                          const HorizontalMotion& measured) noexcept {
   SwingTrajectory& swing = swings_[leg];
@@ -70,14 +132,18 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
     swing.reach_down(kReachDownSpeed * size_.speed, input.dt);
   }
   if (contacts_.phase(leg) != FootPhase::kSwing) return;
-  const double time_left = clock_.time_to_touchdown(leg);
+  const bool lifting = stumble_.lifting(leg);
+  const double time_left = lifting ? stumble_.time_left(leg) : clock_.time_to_touchdown(leg);
   const Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
-  swing.update(
-      {input.gains.swing_height * size_.height, input.gains.swing_landing_speed * size_.speed},
-      footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(), time_left,
-      input.dt);
+  Vector3 target = footholds_.col(leg);
+  if (lifting && stumble_.rises(leg)) target.head<2>() = stumble_.p_start(leg).head<2>();
+  const double height =
+      lifting ? stumble_.height() : input.gains.swing_height * size_.height + clearance_.extra();
+  swing.update({height, input.gains.swing_landing_speed * size_.speed}, target,
+               lifting ? stumble_.progress(leg) : clock_.swing_progress(leg),
+               lifting ? stumble_.time() : clock_.timing().swing_time(), time_left, input.dt);
 }
 
 void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept {

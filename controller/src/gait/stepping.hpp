@@ -5,6 +5,8 @@
 #include "gait/foot_contacts.hpp"
 #include "gait/gait_clock.hpp"
 #include "gait/ground_plane.hpp"
+#include "gait/stumble.hpp"
+#include "gait/swing_clearance.hpp"
 #include "gait/swing_trajectory.hpp"
 #include "surefoot/planner.hpp"
 
@@ -14,10 +16,12 @@ namespace surefoot {
 /// foothold, and the body moves with the commanded velocity. Real-time: yes.
 class Stepping {
  public:
-  explicit Stepping(const GaitSize& size) : size_(size), body_(size) {}
+  explicit Stepping(const GaitSize& size)
+      : size_(size), stumble_(size), clearance_(size), body_(size) {}
 
   /// Begin at the measured state: all feet stand.
-  void start(const PlannerInput& input) noexcept;
+  /// @param step_at_once true: a pair of feet lifts off at once, else after the time of a stance
+  void start(const PlannerInput& input, bool step_at_once) noexcept;
   /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
   /// stance,
   ///   or a leg is lost
@@ -31,19 +35,26 @@ class Stepping {
     return at_rest_ && contacts_.others_in_stance(lost_leg);
   }
 
+  const GaitSize& size() const noexcept { return size_; }
   const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
   const FootContacts& contacts() const noexcept { return contacts_; }
   const GaitClock& clock() const noexcept { return clock_; }
   const BodyTrajectory& body() const noexcept { return body_; }
 
  private:
+  void update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   bool is_at_rest(const PlannerInput& input) const noexcept;
+  Eigen::Vector4d judge_contacts(const PlannerInput& input) noexcept;
+  double longest_wait() const noexcept;  // [s] of the clock
+  void update_ground(const PlannerInput& input) noexcept;
   void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
 
   GaitSize size_;
   GaitClock clock_;
   FootContacts contacts_;
+  Stumble stumble_;
+  SwingClearance clearance_;
   GroundPlane ground_;
   BodyTrajectory body_;
   std::array<SwingTrajectory, kLegs> swings_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gait/walk_power.hpp"
+
 namespace surefoot {
 
 void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noexcept {
@@ -24,6 +26,10 @@ void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noex
   velocity_.vy = clamp(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
   velocity_.vx = clamp(velocity.vx, -gains.walk_speed_backward * size_.speed,
                        gains.walk_speed_forward * size_.speed, WalkLimit::kForward);
+  const double factor = power_factor(gains, size_, power_limit_, velocity_);
+  if (factor == 1.0) return;
+  limit_ = WalkLimit::kPower;
+  velocity_ = {factor * velocity_.vx, factor * velocity_.vy, factor * velocity_.yaw_rate};
 }
 
 void VelocityCommand::advance(double dt) noexcept {

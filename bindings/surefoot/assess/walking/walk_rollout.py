@@ -12,10 +12,10 @@ from surefoot._core import LowCmd, WalkVelocity
 from surefoot.assess.checked_controller import WalkingControl
 from surefoot.assess.condition import Condition
 from surefoot.assess.condition_plant import RobotSource, describe_source, plant_settings
-from surefoot.assess.rollout import lost_frames
 from surefoot.assess.walking.true_walk import TrueWalk, WalkRecorder
 from surefoot.robot.loading import build_robot
 from surefoot.sim import Plant
+from surefoot.sim.lost_frames import lost_frames
 from surefoot.sim.model.mujoco_model import trunk_mass
 
 Schedule = Sequence[tuple[float, tuple[float, float, float]]]
@@ -60,7 +60,7 @@ def walk_out(
     """
     rate = plant.settings.control_rate
     ticks = round(duration * rate)
-    lost = lost_frames(condition, plant.settings.seed, ticks)
+    lost = lost_frames(condition.loss_percent, plant.settings.seed, ticks)
     starts = {round(time * rate): velocity for time, velocity in schedule}
     recorder = WalkRecorder(plant, ticks)
     state = received = plant.reset()
