@@ -96,7 +96,7 @@ def test_walk_has_its_own_objectives_and_space() -> None:
         SearchSettings("go1", OWN, walk=True, objectives=("balance",))
     with pytest.raises(Error, match="got 'walk', expected one of balance"):
         SearchSettings("go1", OWN, objectives=("walk",))
-    assert parse_parameter("swing_height").high == 0.3
+    assert parse_parameter("gait_duty").high == 0.65  # the range of walk_space()
     assert settings.identity() != SearchSettings("go1", OWN, objectives=("power",)).identity()
 
 
@@ -128,4 +128,4 @@ def test_walk_search_command_writes_its_result(tmp_path: Path) -> None:
     assert summary["walk"] and summary["objective"] == ["walk"] and summary["failures"] == 0
     assert set(summary["parameters"]) == {p.name for p in walk_space()}
     assert "--walk" in gains.read_text()
-    assert surefoot.load_gains(gains).swing_height == pytest.approx(OWN.swing_height)
+    assert surefoot.load_gains(gains).gait_period == pytest.approx(OWN.gait_period)

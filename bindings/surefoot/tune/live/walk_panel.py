@@ -11,21 +11,21 @@ import viser
 from surefoot._core import Gait, WalkVelocity
 from surefoot.tune.live.simulation import Simulation
 
-# The keys W A S D Q E move the camera of the page.
+# The keys of surefoot run, with its steps. W A S D Q E move the camera of the page.
 _KEYS: tuple[tuple[Any, str, int, int], ...] = (
     ("I", "forward", 0, 1),
     ("K", "backward", 0, -1),
-    ("J", "to the left", 1, 1),
-    ("L", "to the right", 1, -1),
-    ("U", "turn left", 2, 1),
-    ("O", "turn right", 2, -1),
+    ("H", "to the left", 1, 1),
+    ("G", "to the right", 1, -1),
+    ("J", "turn left", 2, 1),
+    ("L", "turn right", 2, -1),
 )
 """Key, meaning, axis of the velocity, sign."""
-_STOP_KEY: Any = "X"
+_STOP_KEY: Any = "0"
 _UNITS = ("m/s", "m/s", "rad/s")
 _STEPS = (0.01, 0.01, 0.05)  # steps of the sliders, in _UNITS
-_KEY_STEPS = (0.1, 0.1, 0.2)  # steps of the keys, in _UNITS; chosen for a person
-_KEY_HINT = "_Keys: I K forward, backward; J L left, right; U O turn; X stop._"
+_KEY_STEPS = (0.1, 0.1, 0.2)  # steps of the keys, in _UNITS
+_KEY_HINT = "_Keys: I K forward, backward; H G left, right; J L turn; 0 stop._"
 
 
 class WalkPanel:

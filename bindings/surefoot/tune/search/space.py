@@ -88,15 +88,15 @@ def default_space() -> list[Parameter]:
     return space
 
 
-# Gains of a walk that shape gait and swing. Limits of speed and acceleration are not among them:
-# they say what the robot should do. Chosen ranges: outside them a trot falls or its feet drag.
+# Gains of a walk that shape gait and swing. Limits of speed and acceleration and the swing height
+# are not among them: they say what the robot should do, and on flat ground the lowest swing is the
+# best one. Chosen ranges: outside them a trot falls.
 _WALK_RANGES = {
     "gait_period": (1.6, 3.2),
     "gait_duty": (0.45, 0.65),
     "gait_stance_travel": (0.5, 1.3),
     "gait_swing_speed": (0.6, 1.6),
     "foothold_feedback": (0.4, 1.1),
-    "swing_height": (0.08, 0.3),
     "swing_landing_speed": (0.05, 0.35),
     "walk_joint_limit_rate": (40.0, 200.0),
 }
