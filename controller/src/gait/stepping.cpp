@@ -6,6 +6,8 @@
 
 #include "gait/foothold.hpp"
 #include "gait/gait_timing.hpp"
+#include "gait/step_timing.hpp"
+#include "reference/capture_margin.hpp"
 
 namespace surefoot {
 
@@ -17,9 +19,9 @@ constexpr double kReachDownSpeed = 0.23;
 // [sqrt(h/g)] Time constant of the ground's normal: 0.35 s at h = 0.3 m. Chosen: about a period, so
 // that one foot on a step does not tilt the body.
 constexpr double kNormalTime = 2.0;
-// is_at_rest(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
+// is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
-constexpr double kStopDistance = 0.067;
+constexpr double kStopDistance = 0.045;
 constexpr double kStopSpeed = 0.03;
 
 HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
@@ -27,11 +29,28 @@ HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   return {input.p_com.head<2>(), input.v_com.head<2>(), std::atan2(R(1, 0), R(0, 0))};
 }
 
+// Return a leg of the pair that shall step first: the capture point is then nearest to the line
+// between the feet of the other pair.
+int leg_to_swing(const PlannerInput& input) noexcept {
+  const Eigen::Vector2d capture = capture_point(input.dynamics);
+  const auto distance = [&](int a, int b) {
+    const Eigen::Vector2d p = input.p_feet.col(a).head<2>();
+    const Eigen::Vector2d line = (input.p_feet.col(b).head<2>() - p).normalized();
+    const Eigen::Vector2d d = capture - p;
+    return std::abs(line.x() * d.y() - line.y() * d.x());
+  };
+  return distance(FL_, RR_) < distance(FR_, RL_) ? FR_ : FL_;
+}
+
 }  // namespace
 
-void Stepping::start(const PlannerInput& input) noexcept {
+void Stepping::start(const PlannerInput& input, bool step_at_once) noexcept {
   at_rest_ = false;
-  clock_.start();
+  if (step_at_once) {
+    clock_.start_swing(leg_to_swing(input));
+  } else {
+    clock_.start();
+  }
   contacts_.start();
   ground_.start(input.p_feet);
   const Eigen::Vector2d p = input.p_com.head<2>();
@@ -43,8 +62,7 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
                     Reference& reference) noexcept {
   const HorizontalMotion measured = measured_motion(input);
   at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input));
-  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(clock_),
-                 at_rest_, input.dt);
+  update_clock(input, measured);
   contacts_.update(clock_, input.state.contact, input.dt);
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
@@ -57,6 +75,12 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
     plan_foot(leg, input, measured);
     write_foot(leg, input, reference.feet[leg]);
   }
+}
+
+void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
+  GaitTiming timing = trot_timing(input.gains, size_, body_.velocity());
+  timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
+  clock_.advance(timing, contacts_.late(clock_), at_rest_, input.dt);
 }
 
 void Stepping::plan_foot(int leg, const PlannerInput& input,

@@ -17,7 +17,8 @@ class Stepping {
   explicit Stepping(const GaitSize& size) : size_(size), body_(size) {}
 
   /// Begin at the measured state: all feet stand.
-  void start(const PlannerInput& input) noexcept;
+  /// @param step_at_once true: a pair of feet lifts off at once, else after the time of a stance
+  void start(const PlannerInput& input, bool step_at_once) noexcept;
   /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
   /// stance,
   ///   or a leg is lost
@@ -31,12 +32,14 @@ class Stepping {
     return at_rest_ && contacts_.others_in_stance(lost_leg);
   }
 
+  const GaitSize& size() const noexcept { return size_; }
   const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
   const FootContacts& contacts() const noexcept { return contacts_; }
   const GaitClock& clock() const noexcept { return clock_; }
   const BodyTrajectory& body() const noexcept { return body_; }
 
  private:
+  void update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   bool is_at_rest(const PlannerInput& input) const noexcept;
   void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/walk_planner.hpp"
 
+#include <algorithm>
+
 #include "gait/trot_load.hpp"
+#include "reference/capture_margin.hpp"
 
 namespace surefoot {
 
@@ -19,6 +22,8 @@ constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
 constexpr double kPutDownTime = 0.3;
+// Contact confidence below which a standing foot has lost contact. Chosen as in FootContacts.
+constexpr double kLostContact = 0.3;
 
 }  // namespace
 
@@ -41,7 +46,8 @@ void WalkPlanner::reset() noexcept {
 bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept {
   update_times(input);
   const bool walk = wants_to_walk(input);
-  if (!walking_ && !(walk && input.state.contact.minCoeff() > kContact)) {
+  const bool recover = !walking_ && must_step(input);
+  if (!walking_ && !recover && !(walk && input.state.contact.minCoeff() > kContact)) {
     return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
@@ -49,7 +55,7 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
     stand_.reset();  // it latches the pose in which the walk ends
     return plan_stand(input, reference);
   }
-  if (!walking_) stepping_.start(input);
+  if (!walking_) stepping_.start(input, recover);
   walking_ = true;
   stepping_.plan(input, command_.velocity(), !walk, reference);
   return true;
@@ -65,6 +71,18 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
 bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > kAirborneTime) return false;
   return can_walk_ && !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
+}
+
+// Return whether a standing robot must step: the capture point leaves the polygon of the feet. With
+// two feet off the ground it steps earlier, because the body already turns about the others.
+bool WalkPlanner::must_step(const PlannerInput& input) const noexcept {
+  if (!can_walk_ || input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > 0.0)
+    return false;
+  const bool tips = (input.state.contact.array() < kLostContact).count() >= 2;
+  const double margin =
+      tips ? input.gains.recovery_margin : std::min(input.gains.recovery_margin, 0.0);
+  return capture_margin(input.dynamics, {true, true, true, true}) <
+         margin * stepping_.size().height;
 }
 
 bool WalkPlanner::must_stand() const noexcept {

@@ -39,6 +39,7 @@ class WalkPlanner : public Planner {
   WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout);
   void update_times(const PlannerInput& input) noexcept;
   bool wants_to_walk(const PlannerInput& input) const noexcept;
+  bool must_step(const PlannerInput& input) const noexcept;
   bool must_stand() const noexcept;
   bool plan_stand(const PlannerInput& input, Reference& reference) noexcept;
 

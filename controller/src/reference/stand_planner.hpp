@@ -4,7 +4,6 @@
 #include "dynamics/dynamics.hpp"
 #include "reference/body_motion.hpp"
 #include "reference/foot_rolling.hpp"
-#include "reference/recovery_steps.hpp"
 #include "reference/support_frame.hpp"
 #include "reference/three_leg_stance.hpp"
 #include "surefoot/planner.hpp"
@@ -20,8 +19,7 @@ namespace surefoot {
 /// the body together, so these errors cannot make the robot lean.
 ///
 /// While no foot is loaded, the frame follows the body, and the legs extend beyond the standing
-/// pose by kAirborneExtension. When the capture point is near a support edge, feet step
-/// (RecoverySteps). Real-time: yes.
+/// pose by kAirborneExtension. Real-time: yes.
 class StandPlanner : public Planner {
  public:
   explicit StandPlanner(const Robot& robot)
@@ -44,7 +42,6 @@ class StandPlanner : public Planner {
   BodyMotion motion_;
   SupportFrame support_;
   FootRolling foot_rolling_;
-  RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
   // 0: at least one foot is in contact. Near 1: all feet have been in the air for much longer than
   // kAirborneTime. Each tick moves the support frame towards the body by this share.

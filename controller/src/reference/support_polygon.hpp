@@ -30,11 +30,6 @@ class SupportPolygon {
   /// is_valid() is false, return 0.
   double margin(const Eigen::Vector2d& point) const noexcept;
 
-  /// Compute the vector [m] from the nearest point of the polygon to `point`. With two feet the
-  /// polygon is the segment between them. Return zero if `point` is inside, or if there are fewer
-  /// than two feet.
-  Eigen::Vector2d displacement_outside(const Eigen::Vector2d& point) const noexcept;
-
  private:
   std::array<Eigen::Vector2d, kLegs> corners_;
   int count_ = 0;

@@ -36,12 +36,6 @@ constexpr GainInfo kRows[] = {
     {kFeet, "foot_kp", "1/s^2", 0, 5000, &G::foot_kp,
      "stiffness of a foot about its reference position"},
     {kFeet, "foot_kd", "1/s", 0, 500, &G::foot_kd, "damping of the velocity of a foot"},
-    {kFeet, "foot_speed", "m/s", 0.01, 100, &G::foot_speed,
-     "greatest speed at which foot_kp moves a foot, as a fast leg moves the body too; 100: no "
-     "limit in practice"},
-    {kFeet, "foot_step", "m", 0, 0.5, &G::foot_step,
-     "longest recovery step from the nominal foot position, with the capture point near or beyond "
-     "the support edge; 0: no steps, a foot that lost contact returns to that position"},
     {kJoints, "posture_kp", "1/s^2", 0, 5000, &G::posture_kp, "stiffness of the posture task"},
     {kJoints, "posture_kd", "1/s", 0, 500, &G::posture_kd, "damping of the posture task"},
     {kJoints, "joint_limit_rate", "1/s", 1, 200, &G::joint_limit_rate,
@@ -122,6 +116,9 @@ constexpr GainInfo kRows[] = {
      "greatest speed of a swing foot past the body; at higher speed the duty is smaller"},
     {kWalking, "foothold_feedback", "sqrt(h/g)", 0, 2, &G::foothold_feedback,
      "distance of a foothold ahead, per velocity beyond the commanded one; 1: capture point"},
+    {kWalking, "recovery_margin", "h", -10, 0.5, &G::recovery_margin,
+     "capture margin below which a standing robot that has lost two contacts steps; with all "
+     "contacts it steps below 0, or below this gain if it is negative; -10: never"},
     {kWalking, "swing_height", "h", 0.02, 0.8, &G::swing_height,
      "height to which a swing foot rises"},
     {kWalking, "swing_landing_speed", "sqrt(g h)", 0, 1, &G::swing_landing_speed,
