@@ -19,7 +19,7 @@ from surefoot.faults.kinds.signals import AllSensorsFault, SignalFault
 CALF, FL_LEG = 5, [3, 4, 5]  # motors FL_2; FL_0 .. FL_2
 NOT_FINITE_FAULT = table_expectation("state_not_finite")
 # A robot cannot walk with an IMU, or all sensors, that measure at 50 Hz: the data is older than a
-# tenth of a step. It must damp for any fault. The time [s] is chosen: the robot walks on for a while.
+# tenth of a step. It must damp for any fault. The time [s] is chosen: it walks on for a while.
 TOO_SLOW_TO_WALK = expect_damp(3.0)
 NAN, INF = math.nan, math.inf
 intermittent = inject.intermittent
