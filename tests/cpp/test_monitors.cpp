@@ -138,6 +138,16 @@ BOOST_FIXTURE_TEST_CASE(clock_at_twice_the_rate_is_detected_within_200_ms, Swing
   BOOST_TEST(kTick * ticks <= 0.2);
 }
 
+BOOST_FIXTURE_TEST_CASE(clock_at_half_of_the_rate_is_slow_within_300_ms, SwingingJoints) {
+  ClockMonitor watch;
+  for (int k = 0; k < 1000; ++k) watch.update(next(), kTick);
+  BOOST_TEST(!watch.slow());
+  int ticks = 0;
+  for (; ticks < 1000 && !watch.slow(); ++ticks) watch.update(next(), 0.5 * kTick);
+  BOOST_TEST(0.5 * kTick * ticks <= fault_info(FaultId::kClock).stepping_detection_time);
+  BOOST_TEST(!watch.fast());
+}
+
 BOOST_FIXTURE_TEST_CASE(correct_or_slow_clock_and_wrong_speeds_raise_no_fault, SwingingJoints) {
   ClockMonitor watch;
   const auto expect_quiet = [&](auto&& modify_sample, double step) {

@@ -7,6 +7,8 @@ from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
 from surefoot.faults.kinds import clock_faults as clock
 from surefoot.faults.kinds import link_faults as link
 
+# [s] By a clock at half of the speed, the detection time of a walking robot counts twice.
+SLOW_CLOCK_DELAY = 0.4
 STALE_TICK_FAULT = table_expectation("stale_tick")
 # [s] Time limit of a refusal for lost frames. With 4 % of the frames lost, the arming check "link"
 # fails after 0.3 s: then its mean share of missing samples (time constant 1 s) reaches 1 %.
@@ -104,6 +106,7 @@ LINK_ROWS = (
                 lambda: clock.TickFault(clock.clock_with_step(ms_per_period=1)),
                 WATCH,
                 WATCH,
+                walking=table_expectation("clock", delay=SLOW_CLOCK_DELAY),
             ),
             case(
                 "wrong",

@@ -5,13 +5,22 @@ from __future__ import annotations
 import math
 
 from surefoot.faults.case import Row, case
-from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation, watch_unless
+from surefoot.faults.expectation import (
+    WATCH,
+    expect_damp,
+    expect_refusal,
+    table_expectation,
+    watch_unless,
+)
 from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault
 from surefoot.faults.kinds.signals import AllSensorsFault, SignalFault
 
 CALF, FL_LEG = 5, [3, 4, 5]  # motors FL_2; FL_0 .. FL_2
 NOT_FINITE_FAULT = table_expectation("state_not_finite")
+# A robot cannot walk with an IMU, or all sensors, that measure at 50 Hz: the data is older than a
+# tenth of a step. It must damp for any fault. The time [s] is chosen: it walks on for a while.
+TOO_SLOW_TO_WALK = expect_damp(3.0)
 NAN, INF = math.nan, math.inf
 intermittent = inject.intermittent
 
@@ -68,6 +77,7 @@ ROWS = (
                 lambda: _slow_imu(periods=10),
                 WATCH,
                 WATCH,
+                walking=TOO_SLOW_TO_WALK,
             ),
             case(
                 "slow",
@@ -82,6 +92,7 @@ ROWS = (
                 lambda: AllSensorsFault(inject.slow(10)),
                 WATCH,
                 WATCH,
+                walking=TOO_SLOW_TO_WALK,
             ),
             case(
                 "stuck",

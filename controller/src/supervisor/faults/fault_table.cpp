@@ -50,7 +50,10 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "stated time holds from 0.2 rad/s on)"},
     {FaultId::kClock, kDamp, 0.200, kNeedsArm,
      "the joints move less than 0.7 of what their velocities predict by the robot's clock: "
-     "the clock is too fast, and so is every timed motion; the motors damp until arm()"},
+     "the clock is too fast, and so is every timed motion; the motors damp until arm()",
+     "a clock is a fault too if the joints move more than 1.4 of what their velocities predict: it "
+     "is too slow, and the steps come late",
+     0.3},
     {FaultId::kQuaternion, kDegrade, 0.1, kClearsByItself,
      "the quaternion is not of unit length, or contradicts the gyroscope and the legs; a "
      "standing robot continues without it"},
