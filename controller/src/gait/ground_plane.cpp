@@ -27,10 +27,18 @@ Vector3 normal_of(const FeetMatrix& p, const Vector3& fallback) noexcept {
 
 }  // namespace
 
-void GroundPlane::start(const FeetMatrix& p_world_feet) noexcept {
-  points_ = p_world_feet;
+void GroundPlane::start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
+                        const Vector3& normal) noexcept {
+  // Numerical: the small share gives a mean when no foot has contact.
+  const Eigen::Vector4d weight = contact.array() + 1e-3;
+  mean_ = p_world_feet * weight / weight.sum();
+  normal_ = normal;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 p = p_world_feet.col(leg);
+    points_.col(leg) << p.head<2>(), height_at(p.head<2>());
+    points_.col(leg) += contact[leg] * (p - points_.col(leg));
+  }
   mean_ = points_.rowwise().mean();
-  normal_ = normal_of(points_, Vector3::UnitZ());
   jump_ = 0.0;
 }
 

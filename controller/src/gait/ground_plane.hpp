@@ -11,7 +11,11 @@ namespace surefoot {
 /// on a slope it does not lag. Real-time: yes.
 class GroundPlane {
  public:
-  void start(const FeetMatrix& p_world_feet) noexcept;
+  /// Begin with the plane of a standing robot.
+  /// @param contact contact confidence per foot, 0 .. 1; a foot without contact is over the ground
+  /// @param normal of the ground under the stand, unit length
+  void start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
+             const Vector3& normal) noexcept;
   /// Move the point of a foot that stands.
   void stand_at(int leg, const Vector3& p_world) noexcept { points_.col(leg) = p_world; }
   /// @param time unit of the time constants: sqrt(h/g) [s]

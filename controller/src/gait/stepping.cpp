@@ -19,6 +19,9 @@ constexpr double kReachDownSpeed = 0.23;
 // [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
 // of a period of 0.42 s, has stepped into a hole.
 constexpr double kMaxWait = 0.15;
+// [sqrt(g h)] Velocity error below which a robot is not recovering from a push. Chosen: twice the
+// velocity RMSE of a walk at 1.5 m/s.
+constexpr double kSteadySpeed = 0.12;
 // is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.045;
@@ -44,7 +47,8 @@ int leg_to_swing(const PlannerInput& input) noexcept {
 
 }  // namespace
 
-void Stepping::start(const PlannerInput& input, bool step_at_once) noexcept {
+void Stepping::start(const PlannerInput& input, const Vector3& ground_normal,
+                     bool step_at_once) noexcept {
   at_rest_ = false;
   if (step_at_once) {
     clock_.start_swing(leg_to_swing(input));
@@ -54,7 +58,7 @@ void Stepping::start(const PlannerInput& input, bool step_at_once) noexcept {
   contacts_.start();
   stumble_.start();
   clearance_.start();
-  ground_.start(input.p_feet);
+  ground_.start(input.p_feet, input.state.contact, ground_normal);
   const Eigen::Vector2d p = input.p_com.head<2>();
   body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p));
   footholds_ = input.p_feet;
@@ -86,11 +90,14 @@ void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& m
   clock_.advance(timing, longest_wait(), at_rest_, input.dt);
 }
 
-// Return the contact confidences, but 0 of a swing foot that hits an obstacle.
+// Return the contact confidences, but 0 of a swing foot that hits an obstacle. After a push feet
+// lag behind their references without an obstacle, so none is judged.
 Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
   Eigen::Vector4d contact = input.state.contact;
+  const double error = (input.v_com.head<2>() - body_.v_world()).norm();
+  const bool steady = error < kSteadySpeed * size_.speed;
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (contacts_.phase(leg) != FootPhase::kSwing) {
+    if (!steady || contacts_.phase(leg) != FootPhase::kSwing) {
       stumble_.end(leg);
       continue;
     }

@@ -21,7 +21,8 @@ class Stepping {
 
   /// Begin at the measured state: all feet stand.
   /// @param step_at_once true: a pair of feet lifts off at once, else after the time of a stance
-  void start(const PlannerInput& input, bool step_at_once) noexcept;
+  /// @param ground_normal of the ground under the stand, unit length
+  void start(const PlannerInput& input, const Vector3& ground_normal, bool step_at_once) noexcept;
   /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
   /// stance,
   ///   or a leg is lost

@@ -59,7 +59,7 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
     stand_.reset();  // it latches the pose in which the walk ends
     return plan_stand(input, reference);
   }
-  if (!walking_) stepping_.start(input, recover);
+  if (!walking_) stepping_.start(input, reference.ground_normal, recover);
   walking_ = true;
   stepping_.plan(input, command_.velocity(), !walk, reference);
   return true;
