@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 
 from seed_runs import (
@@ -23,7 +24,7 @@ from seed_runs import (
 from surefoot import Error, Gait
 from surefoot.robot.loading import build_robot, describe_robot
 from surefoot.sim import Flaws, Terrain
-from surefoot.walk import VelocityRequest, run_walk, summarise
+from surefoot.walk import VelocityRequest, WalkSettings, run_walk, summarise
 from walk_rows import (
     SMALL,
     START,
@@ -88,7 +89,7 @@ def terrain_row(
 def payload_row(name: str, position: tuple[float, float, float]) -> Row:
     """Return a row with a payload of 30 % of the robot's mass."""
 
-    def settings(robot: str, seed: int):  # type: ignore[no-untyped-def]
+    def settings(robot: str, seed: int) -> WalkSettings:
         mass = 0.3 * build_robot(describe_robot(robot)).mass
         plant = {"payload_kg": mass, "payload_position": position}
         return walk(robot, seed, (0.4, 0.0, 0.0), 8.0, plant)
@@ -114,7 +115,7 @@ def push_rows(speed: float, share: float, robots: tuple[str, ...]) -> list[Row]:
     ]
 
 
-def start_and_stop(robot: str, seed: int):  # type: ignore[no-untyped-def]
+def start_and_stop(robot: str, seed: int) -> WalkSettings:
     """Return a walk from a stand to 1 m/s and back to a stand."""
     velocities = (VelocityRequest(1.0, 0.0, 0.0, START), VelocityRequest(0.0, 0.0, 0.0, 4.0))
     return walk(robot, seed, (1.0, 0.0, 0.0), 7.0, velocities=velocities, gait=Gait.AUTO)
@@ -165,7 +166,7 @@ def _velocity_name(velocity: tuple[float, float, float]) -> str:
     return ", ".join(f"{n} {v:g}" for n, v in zip(names, velocity, strict=True) if v)
 
 
-def _at_rate(rate: float):  # type: ignore[no-untyped-def]
+def _at_rate(rate: float) -> Callable[[str, int], WalkSettings]:
     return lambda robot, seed: walk(robot, seed, (0.6, 0, 0), plant={"control_rate": rate})
 
 

@@ -78,12 +78,15 @@ def read_terrain(arguments: argparse.Namespace) -> Terrain:
     from surefoot.sim import Terrain
 
     step, heading = parse_numbers("--step", arguments.step, "HEIGHT[:HEADING]", (1, 2), 2)
-    stairs = {}
+    stairs, tread = 0.0, Terrain().stairs_tread
     if arguments.stairs != "0":
-        height, tread = parse_numbers("--stairs", arguments.stairs, "HEIGHT:TREAD", (2,), 2)
-        stairs = {"stairs_height": height, "stairs_tread": tread}
+        stairs, tread = parse_numbers("--stairs", arguments.stairs, "HEIGHT:TREAD", (2,), 2)
     terrain = Terrain(
-        step_height=step, step_heading_deg=heading, block_height=arguments.blocks, **stairs
+        step_height=step,
+        step_heading_deg=heading,
+        stairs_height=stairs,
+        stairs_tread=tread,
+        block_height=arguments.blocks,
     )
     return terrain if terrain.is_flat else replace(terrain, seed=arguments.seed)
 
