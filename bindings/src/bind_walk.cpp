@@ -31,14 +31,16 @@ void bind_velocity(nb::module_& m) {
   nb::enum_<WalkLimit>(m, "WalkLimit", "Limit to which a commanded velocity was clamped.")
       .value("NONE", WalkLimit::kNone, "No limit: the command is within reach.")
       .value("FORWARD", WalkLimit::kForward,
-             "vx: gains walk_speed_forward and walk_speed_backward.")
-      .value("SIDEWAYS", WalkLimit::kSideways, "vy: gain walk_speed_sideways.")
-      .value("TURN", WalkLimit::kTurn, "yaw_rate: gain walk_turn_speed.")
+             "vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed.")
+      .value("SIDEWAYS", WalkLimit::kSideways, "vy: gain walk_speed_sideways; walk: walk_gait_speed.")
+      .value("TURN", WalkLimit::kTurn, "yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed.")
       .value("NOT_FINITE", WalkLimit::kNotFinite,
              "The command has a NaN or an infinity; the previous one stays in force.");
   nb::enum_<Gait>(m, "Gait", "What a WalkController does.")
       .value("AUTO", Gait::kAuto, "Stand at velocity 0, trot otherwise.")
-      .value("TROT", Gait::kTrot, "Trot, also at velocity 0.");
+      .value("TROT", Gait::kTrot, "Trot, also at velocity 0.")
+      .value("WALK", Gait::kWalk,
+             "Stand at velocity 0, walk otherwise: one foot steps at a time, three feet are down.");
 }
 
 void bind_options(nb::module_& m) {

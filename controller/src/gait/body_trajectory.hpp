@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "gait/body_sway.hpp"
 #include "gait/gait_size.hpp"
 #include "gait/ground_plane.hpp"
 #include "surefoot/gains.hpp"
@@ -30,8 +31,11 @@ class BodyTrajectory {
   void update(const Gains& gains, const WalkVelocity& command, const HorizontalMotion& measured,
               double dt) noexcept;
   /// Write the body's part of the reference, `ahead` seconds later than this tick.
-  void write(const GroundPlane& ground, double ahead, Reference& reference) const noexcept;
+  void write(const GroundPlane& ground, const BodySway& sway, double ahead,
+             Reference& reference) const noexcept;
 
+  /// Motion of the trajectory, without sway.
+  HorizontalMotion motion() const noexcept { return {p_, v_, yaw_}; }
   const WalkVelocity& velocity() const noexcept { return velocity_; }  ///< of the trajectory
   Eigen::Vector2d v_world() const noexcept { return v_; }              ///< [m/s]
   Eigen::Vector2d a_world() const noexcept { return a_; }              ///< [m/s^2]

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "gait/tmp_gains.hpp"
 #include "gait/stepping.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "gait/foothold.hpp"
-#include "gait/gait_timing.hpp"
 
 namespace surefoot {
 
@@ -21,6 +22,9 @@ constexpr double kNormalTime = 2.0;
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.067;
 constexpr double kStopSpeed = 0.03;
+// [walk_gait_speed] Speed below which a trot may change to a walk. Chosen: a little above the
+// greatest speed of a walk.
+constexpr double kWalkSpeed = 1.1;
 
 HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   const Matrix3& R = input.R_world_base;
@@ -29,34 +33,98 @@ HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
 
 }  // namespace
 
-void Stepping::start(const PlannerInput& input) noexcept {
-  at_rest_ = false;
+void Stepping::start(const PlannerInput& input, bool walk, const WalkVelocity& command) noexcept {
+  at_rest_ = changes_pattern_ = false;
+  pattern_ = suitable_pattern(input.gains, walk, command);
   clock_.start();
   contacts_.start();
   ground_.start(input.p_feet);
+  sway_.start();
   const Eigen::Vector2d p = input.p_com.head<2>();
   body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p));
   footholds_ = input.p_feet;
 }
 
-void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
-                    Reference& reference) noexcept {
-  const HorizontalMotion measured = measured_motion(input);
-  at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input));
-  clock_.advance(trot_timing(input.gains, size_, body_.velocity()), contacts_.late(clock_),
-                 at_rest_, input.dt);
+void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
+                    bool may_stop, Reference& reference) noexcept {
+  const HorizontalMotion measured = motion_without_sway(input);
+  at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input, measured));
+  update_pattern(input.gains, walk, command);
+  clock_.advance(gait_timing(pattern_, input.gains, size_, body_.velocity()),
+                 contacts_.late(clock_), at_rest_ || changes_pattern_, input.dt);
   contacts_.update(clock_, input.state.contact, input.dt);
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
   }
   ground_.update(kNormalTime * size_.time, input.dt);
   body_.update(input.gains, command, measured, input.dt);
-  body_.write(ground_, input.delay, reference);
+  update_sway(input);
+  body_.write(ground_, sway_, input.delay, reference);
   reference.stepping = true;
   for (int leg = 0; leg < kLegs; ++leg) {
     plan_foot(leg, input, measured);
     write_foot(leg, input, reference.feet[leg]);
   }
+}
+
+HorizontalMotion Stepping::motion_without_sway(const PlannerInput& input) const noexcept {
+  HorizontalMotion motion = measured_motion(input);
+  motion.p_com -= sway_.p();
+  motion.v_com -= sway_.v();
+  return motion;
+}
+
+// Return the pattern for a velocity; at velocity 0, the order of a walk does not change.
+StepPattern Stepping::suitable_pattern(const Gains& gains, bool walk,
+                                       const WalkVelocity& command) const noexcept {
+  StepPattern pattern = pattern_;
+  pattern.walk = walk;
+  if (walk && hip_speed(size_, command) > 0.0) {
+    pattern.order = best_walk_order(pattern_.order, size_, command,
+                                    gait_timing(pattern, gains, size_, command).period,
+                                    tmp_gains.walk_gait_margin * size_.height);
+  }
+  return pattern;
+}
+
+// Change the pattern when all feet stand. A trot becomes a walk only at a speed at which a walk can
+// go on.
+void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept {
+  const StepPattern pattern = suitable_pattern(gains, walk, command);
+  const double limit = kWalkSpeed * tmp_gains.walk_gait_speed * size_.speed;
+  changes_pattern_ = !(pattern == pattern_) && (!walk || body_.v_world().norm() <= limit);
+  if (!changes_pattern_ || !contacts_.others_in_stance(-1)) return;
+  pattern_ = pattern;
+  changes_pattern_ = false;
+  clock_.start();
+}
+
+void Stepping::update_sway(const PlannerInput& input) noexcept {
+  const GaitTiming& timing = clock_.timing();
+  const HorizontalMotion body = body_.motion();
+  BodySway::Input sway{body.p_com, body.v_com, body_.a_world(), {}, {}, 0.0, 0.0};
+  for (int leg = 0; leg < kLegs; ++leg) {
+    sway.swings[leg] = next_swing(input, leg);
+    sway.stance[leg] = contacts_.in_stance(leg);
+  }
+  sway.shift_time = tmp_gains.shift * (timing.duty - 0.75) * timing.period;
+  sway.margin = tmp_gains.walk_gait_margin * size_.height;
+  sway_.update(sway, input.dt);
+}
+
+// A trot has no support triangles: no foot swings as far as the sway is concerned.
+NextSwing Stepping::next_swing(const PlannerInput& input, int leg) const noexcept {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d stands = input.p_feet.col(leg).head<2>();
+  if (!pattern_.walk) return {kNever, kNever, kNever, stands, stands};
+  const double begin = clock_.time_to_liftoff(leg);
+  if (clock_.in_swing(leg)) {
+    return {0.0, clock_.time_to_touchdown(leg), 0.0, stands, footholds_.col(leg).head<2>()};
+  }
+  const double end = begin + clock_.timing().swing_time();
+  const Eigen::Vector2d lands = foothold(input.gains, size_, body_.motion(), body_, leg, end,
+                                         clock_.timing().stance_time());
+  return {begin, end, clock_.time_since_touchdown(leg), stands, lands};
 }
 
 void Stepping::plan_foot(int leg, const PlannerInput& input,
@@ -71,8 +139,10 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   const Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
+  const double height = pattern_.walk ? tmp_gains.walk_gait_swing_height
+                                                       : input.gains.swing_height;
   swing.update(
-      {input.gains.swing_height * size_.height, input.gains.swing_landing_speed * size_.speed},
+      {height * size_.height, input.gains.swing_landing_speed * size_.speed},
       footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(), time_left,
       input.dt);
 }
@@ -96,13 +166,15 @@ void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foo
 }
 
 // The body is at rest, and all feet are near their nominal positions.
-bool Stepping::is_at_rest(const PlannerInput& input) const noexcept {
-  if (input.v_com.head<2>().norm() > kStopSpeed * size_.speed) return false;
+bool Stepping::is_at_rest(const PlannerInput& input,
+                          const HorizontalMotion& measured) const noexcept {
+  if (measured.v_com.norm() > kStopSpeed * size_.speed) return false;
   if (body_.velocity().yaw_rate != 0.0 || !body_.v_world().isZero()) return false;
   const Eigen::Rotation2Dd R(body_.yaw());
   for (int leg = 0; leg < kLegs; ++leg) {
     const Eigen::Vector2d nominal = size_.nominal_feet.col(leg).head<2>();
-    const Eigen::Vector2d offset = (input.p_feet.col(leg) - input.p_com).head<2>() - R * nominal;
+    const Eigen::Vector2d offset =
+        input.p_feet.col(leg).head<2>() - measured.p_com - R * nominal;
     if (offset.norm() > kStopDistance * size_.height) return false;
   }
   return true;

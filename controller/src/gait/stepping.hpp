@@ -4,6 +4,7 @@
 #include "gait/body_trajectory.hpp"
 #include "gait/foot_contacts.hpp"
 #include "gait/gait_clock.hpp"
+#include "gait/gait_timing.hpp"
 #include "gait/ground_plane.hpp"
 #include "gait/swing_trajectory.hpp"
 #include "surefoot/planner.hpp"
@@ -14,21 +15,23 @@ namespace surefoot {
 /// foothold, and the body moves with the commanded velocity. Real-time: yes.
 class Stepping {
  public:
-  explicit Stepping(const GaitSize& size) : size_(size), body_(size) {}
+  explicit Stepping(const GaitSize& size) : size_(size), body_(size), sway_(size) {}
 
   /// Begin at the measured state: all feet stand.
-  void start(const PlannerInput& input) noexcept;
+  /// @param walk whether the robot walks with three feet down; false: it trots
+  void start(const PlannerInput& input, bool walk, const WalkVelocity& command) noexcept;
+  /// @param walk like that of start(). A change is in force when all feet stand the next time
   /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
-  /// stance,
-  ///   or a leg is lost
-  void plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
+  ///   stance, or a leg is lost
+  void plan(const PlannerInput& input, bool walk, const WalkVelocity& command, bool may_stop,
             Reference& reference) noexcept;
 
   /// Return whether the robot has stopped: no foot need lift off, and all feet stand, except that
   /// of a lost leg.
   /// @param lost_leg 0 .. 3, or -1
   bool has_stopped(int lost_leg) const noexcept {
-    return at_rest_ && contacts_.others_in_stance(lost_leg);
+    return at_rest_ && contacts_.others_in_stance(lost_leg) &&
+           (lost_leg >= 0 || sway_.is_at_rest());
   }
 
   const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
@@ -36,8 +39,16 @@ class Stepping {
   const GaitClock& clock() const noexcept { return clock_; }
   const BodyTrajectory& body() const noexcept { return body_; }
 
+  const BodySway& sway() const noexcept { return sway_; }
+
  private:
-  bool is_at_rest(const PlannerInput& input) const noexcept;
+  HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
+  StepPattern suitable_pattern(const Gains& gains, bool walk,
+                               const WalkVelocity& command) const noexcept;
+  void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
+  void update_sway(const PlannerInput& input) noexcept;
+  NextSwing next_swing(const PlannerInput& input, int leg) const noexcept;
+  bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
   void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
 
@@ -46,6 +57,9 @@ class Stepping {
   FootContacts contacts_;
   GroundPlane ground_;
   BodyTrajectory body_;
+  BodySway sway_;
+  StepPattern pattern_;
+  bool changes_pattern_ = false;  // no foot lifts off until the pattern has changed
   std::array<SwingTrajectory, kLegs> swings_;
   bool at_rest_ = false;  // no foot need lift off
   FeetMatrix footholds_ = FeetMatrix::Zero();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "gait/tmp_gains.hpp"
 #include "gait/velocity_command.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 
 namespace surefoot {
 
-void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noexcept {
+void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept {
   if (!std::isfinite(velocity.vx) || !std::isfinite(velocity.vy) ||
       !std::isfinite(velocity.yaw_rate)) {
     limit_ = WalkLimit::kNotFinite;
@@ -18,12 +19,14 @@ void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noex
     if (value < low || value > high) limit_ = limit;
     return std::clamp(value, low, high);
   };
-  const double sideways = gains.walk_speed_sideways * size_.speed;
-  const double turn = gains.walk_turn_speed / size_.time;
+  const bool walk = gait == Gait::kWalk;
+  const double sideways = (walk ? tmp_gains.walk_gait_speed : gains.walk_speed_sideways) * size_.speed;
+  const double turn = (walk ? tmp_gains.walk_gait_turn_speed : gains.walk_turn_speed) / size_.time;
   velocity_.yaw_rate = clamp(velocity.yaw_rate, -turn, turn, WalkLimit::kTurn);
   velocity_.vy = clamp(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
-  velocity_.vx = clamp(velocity.vx, -gains.walk_speed_backward * size_.speed,
-                       gains.walk_speed_forward * size_.speed, WalkLimit::kForward);
+  const double forward = (walk ? tmp_gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
+  const double backward = (walk ? tmp_gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
+  velocity_.vx = clamp(velocity.vx, -backward, forward, WalkLimit::kForward);
 }
 
 void VelocityCommand::advance(double dt) noexcept {

@@ -15,7 +15,9 @@ class VelocityCommand {
   /// @param timeout age above which the command becomes 0 [s]
   VelocityCommand(const GaitSize& size, double timeout) : size_(size), timeout_(timeout) {}
 
-  void set(const Gains& gains, const WalkVelocity& velocity) noexcept;
+  /// Set the velocity, clamped to the limits of the gait. A velocity with a NaN or an infinity
+  /// changes nothing.
+  void set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept;
   void advance(double dt) noexcept;
   void reset() noexcept;
 

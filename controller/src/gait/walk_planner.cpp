@@ -44,9 +44,9 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
     stand_.reset();  // it latches the pose in which the walk ends
     return plan_stand(input, reference);
   }
-  if (!walking_) stepping_.start(input);
+  if (!walking_) stepping_.start(input, gait_ == Gait::kWalk, command_.velocity());
   walking_ = true;
-  stepping_.plan(input, command_.velocity(), !walk, reference);
+  stepping_.plan(input, gait_ == Gait::kWalk, command_.velocity(), !walk, reference);
   return true;
 }
 

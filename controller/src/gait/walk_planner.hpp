@@ -18,7 +18,7 @@ class WalkPlanner : public Planner {
   explicit WalkPlanner(const Robot& robot, double velocity_timeout = 0.5);
 
   void set_velocity(const Gains& gains, const WalkVelocity& velocity) noexcept {
-    command_.set(gains, velocity);
+    command_.set(gains, gait_, velocity);
   }
   void set_gait(Gait gait) noexcept { gait_ = gait; }
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
