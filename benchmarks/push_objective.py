@@ -30,8 +30,6 @@ RANGES = {  # smallest and largest value of each parameter, on a logarithmic sca
     "edge_height": (0.01, 1.0),
     "edge_load": (0.02, 0.7),
     "push_time": (0.008, 0.02),
-    "foot_speed": (0.5, 10.0),
-    "foot_step": (0.1, 0.5),
     "edge_rise": (0.3, 100.0),  # 100 disables the limit
     "friction": (0.6, 0.8),  # assumed by the controller: `friction` in the TOML section `robot`
 }

@@ -67,7 +67,8 @@ void bind_stand(nb::module_& m) {
       "Controller that holds the body at the latched pose, or moves it to a\n"
       "BodyReference.\n\n"
       "Its planner latches the pose of the body relative to the feet in the first good\n"
-      "samples, and plans recovery steps with the gain foot_step. After a lost leg, it\n"
+      "samples. After a strong push the robot steps (gain recovery_margin), until its feet are\n"
+      "in the nominal stance, and latches the pose in which it stands. After a lost leg, it\n"
       "moves the centre of mass over the other three feet. It estimates the normal of the\n"
       "ground plane under the feet.")
       .def(

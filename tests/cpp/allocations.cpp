@@ -84,7 +84,6 @@ TickCounts run(const Robot& robot, QpForm form, double delay, std::uint32_t tick
   options.power_limit = 150.0;
   Gains gains;
   gains.weight_momentum = gains.weight_posture = gains.weight_smooth = 0.01;
-  gains.foot_step = 0.2;
   gains.edge_rise = 0.8;
   StandController controller(robot, gains, options);
   controller.add_task(std::make_shared<UserTask>());

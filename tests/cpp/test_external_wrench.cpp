@@ -23,6 +23,10 @@ struct PayloadFixture {
 
   PayloadFixture() { dynamics.update(state.q, state.v, Vector3::UnitZ()); }
 
+  void set_velocity(const Vector3& velocity) {
+    state.v.head<3>() = velocity;  // the standing robot is level and faces x
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+  }
   // Return the minimum-norm foot forces that balance gravity and an external wrench about the
   // centre of mass.
   FeetMatrix balancing_forces(const Vector3& force, const Vector3& moment) const {
@@ -37,9 +41,9 @@ struct PayloadFixture {
     const Vector12 f = A.completeOrthogonalDecomposition().solve(b);
     return Eigen::Map<const FeetMatrix>(f.data());
   }
-  void run(double seconds, const FeetMatrix& forces, bool supported = true) {
+  void run(double seconds, const FeetMatrix& forces, bool supported = true, bool stepping = false) {
     for (int k = 0; k < seconds / kPeriod - 0.5; ++k) {
-      payload.update(gains, dynamics, forces, supported, kPeriod);
+      payload.update(gains, dynamics, forces, supported, stepping, kPeriod);
     }
   }
 };
@@ -68,6 +72,17 @@ BOOST_FIXTURE_TEST_CASE(external_wrench_is_estimated_from_foot_forces_over_paylo
   BOOST_TEST((payload.moment() - moment).norm() < 1e-6);
 }
 
+// A push makes the robot step. The payload from before the push stays, the push does not.
+BOOST_FIXTURE_TEST_CASE(wrench_of_a_push_is_not_kept_while_feet_step, PayloadFixture) {
+  const Vector3 payload_force(0.0, 0.0, -20.0), push(0.0, 50.0, 0.0);
+  run(10.0, balancing_forces(payload_force, Vector3::Zero()));
+  set_velocity(Vector3(0.0, 0.3, 0.0));
+  run(0.1, balancing_forces(payload_force + push, Vector3::Zero()));
+  BOOST_TEST(payload.force().y() > 0.4 * push.y());
+  run(1.0, balancing_forces(payload_force, Vector3::Zero()), true, true);
+  BOOST_TEST((payload.force() - payload_force).norm() < 1e-3);
+}
+
 BOOST_FIXTURE_TEST_CASE(constant_wrench_at_the_start_is_estimated_in_one_tick, PayloadFixture) {
   const Vector3 force(0.0, 2.0, -20.0), moment(1.0, -2.0, 0.0);
   run(kPeriod, balancing_forces(force, moment));
@@ -83,7 +98,7 @@ BOOST_FIXTURE_TEST_CASE(acceleration_by_the_feet_is_no_external_force, PayloadFi
   for (int k = 1; k <= 200; ++k) {
     dynamics.update(state.q, state.v, Vector3::UnitZ());
     dynamics.shift(Vector3::Zero(), kPeriod * k * a);
-    payload.update(gains, dynamics, forces, true, kPeriod);
+    payload.update(gains, dynamics, forces, true, false, kPeriod);
   }
   BOOST_TEST(payload.force().norm() < 1e-9);
   // The same motion while the feet only carry the weight: an external push.
@@ -92,7 +107,7 @@ BOOST_FIXTURE_TEST_CASE(acceleration_by_the_feet_is_no_external_force, PayloadFi
   for (int k = 1; k <= 2000; ++k) {
     pushed.dynamics.update(state.q, state.v, Vector3::UnitZ());
     pushed.dynamics.shift(Vector3::Zero(), kPeriod * k * a);
-    pushed.payload.update(gains, pushed.dynamics, rest, true, kPeriod);
+    pushed.payload.update(gains, pushed.dynamics, rest, true, false, kPeriod);
   }
   BOOST_TEST((pushed.payload.force() - robot.mass() * a).norm() < 0.01 * robot.mass() * a.norm());
 }

@@ -56,6 +56,17 @@ BOOST_FIXTURE_TEST_CASE(all_legs_stand_at_the_start_and_unload_before_their_firs
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(pair_of_a_given_leg_can_swing_at_once, ClockFixture) {
+  set_duty(0.5);
+  for (const int leg : {FR_, FL_, RR_, RL_}) {
+    clock.start_swing(leg);
+    tick();
+    BOOST_TEST(swing_feet() == 2);
+    BOOST_TEST(clock.in_swing(leg));
+    BOOST_TEST(clock.swing_progress(leg) < 0.02);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(diagonal_pairs_swing_in_turn_at_every_duty, ClockFixture) {
   for (const double duty : {0.4, 0.5, 0.6}) {
     set_duty(duty);

@@ -16,8 +16,9 @@ struct CommandFixture {
   Gains gains;
   GaitSize size{quadruped()};
   VelocityCommand command{size, 0.5};
+  Gait gait = Gait::kAuto;
   WalkLimit set(double vx, double vy, double yaw_rate) {
-    command.set(gains, {vx, vy, yaw_rate});
+    command.set(gains, gait, {vx, vy, yaw_rate});
     return command.limit();
   }
 };
@@ -49,6 +50,18 @@ BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_and_its_limit_named, CommandFixture)
     BOOST_TEST(command.velocity().yaw_rate == sign * gains.walk_turn_speed / size.time);
   }
   BOOST_TEST((set(0.1, 0.0, 0.0) == WalkLimit::kNone));
+}
+
+BOOST_FIXTURE_TEST_CASE(walk_has_smaller_limits_with_the_same_names, CommandFixture) {
+  gait = Gait::kWalk;
+  for (const double sign : {1.0, -1.0}) {
+    BOOST_TEST((set(sign * 9.0, 0.0, 0.0) == WalkLimit::kForward));
+    BOOST_TEST(command.velocity().vx == sign * gains.walk_gait_speed * size.speed);
+    BOOST_TEST((set(0.0, sign * 9.0, 0.0) == WalkLimit::kSideways));
+    BOOST_TEST(command.velocity().vy == sign * gains.walk_gait_speed * size.speed);
+    BOOST_TEST((set(0.0, 0.0, sign * 9.0) == WalkLimit::kTurn));
+    BOOST_TEST(command.velocity().yaw_rate == sign * gains.walk_gait_turn_speed / size.time);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(velocity_that_is_not_finite_keeps_the_last_one, CommandFixture) {

@@ -113,18 +113,4 @@ BOOST_FIXTURE_TEST_CASE(feet_of_a_lifted_robot_follow_the_body_and_extend_downwa
   BOOST_TEST(std::abs(there - lifted.legs()[FR_].p_world_contact.z()) < 1e-6);
 }
 
-BOOST_FIXTURE_TEST_CASE(foot_that_is_to_step_has_no_stance_reference, CapturePointRobot) {
-  gains.foot_step = 0.3;
-  StandPlanner planner(robot);
-  for (const double beyond : {-0.01, 0.01}) {
-    move_capture_point_right(beyond);
-    planner.reset();
-    planner.plan(make_planner_input(state, gains, dynamics, 0.002, 0.0, robot.mass(), -1),
-                 reference);
-    for (int leg = 0; leg < kLegs; ++leg) {
-      BOOST_TEST(reference.feet[leg].stance == (beyond < 0.0 || leg != RR_));
-    }
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

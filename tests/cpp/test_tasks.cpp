@@ -109,22 +109,6 @@ BOOST_FIXTURE_TEST_CASE(foot_feedback_uses_foot_kp_and_foot_kd, PushedRobot) {
   BOOST_TEST((wanted.col(RR_) - expected).norm() < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(foot_feedback_is_limited_to_foot_speed, PushedRobot) {
-  Reference reference = reference_at(robot, state);
-  const Vector3 offset(0.1, -0.2, 0.2);
-  reference.feet[RR_].p_world += offset;
-  Gains gains;
-  gains.foot_speed = 1.0;
-  const Vector3 expected =
-      gains.foot_kd * (offset / offset.norm() - dynamics.legs()[RR_].v_world_contact);
-  BOOST_TEST((feet_accelerations(gains, reference, dynamics).col(RR_) - expected).norm() < 1e-9);
-  for (const double kd : {0.0, 0.01}) {
-    gains.foot_kd = kd;
-    const Vector3 pull = offset / offset.norm() - kd * dynamics.legs()[RR_].v_world_contact;
-    BOOST_TEST((feet_accelerations(gains, reference, dynamics).col(RR_) - pull).norm() < 1e-9);
-  }
-}
-
 // The joint orders of q, v, posture and joint table differ and must not be mixed up.
 BOOST_FIXTURE_TEST_CASE(posture_task_drives_each_joint_to_its_own_target, PushedRobot) {
   const JointTable joints = make_joint_table(robot);

@@ -21,13 +21,9 @@ struct Gains {
   double base_kd_tilt = 46.0;       ///< [1/s] roll and pitch damping
   double base_kp_yaw = 200.0;       ///< [1/s^2] yaw stiffness
   double base_kd_yaw = 26.0;        ///< [1/s] yaw damping
-  // Feet: feedback on the positions of the feet, and recovery steps.
+  // Feet: feedback on the positions of the feet.
   double foot_kp = 2500.0;  ///< [1/s^2] stiffness of a foot about its reference position
   double foot_kd = 50.0;    ///< [1/s] damping of the velocity of a foot
-  /// [m/s] Greatest speed at which foot_kp moves a foot; 100: no limit in practice.
-  double foot_speed = 100.0;
-  /// [m] Longest recovery step from the nominal foot position; 0: no steps.
-  double foot_step = 0.0;
   // Joints: posture task, and approach to the joint limits.
   double posture_kp = 100.0;  ///< [1/s^2] stiffness of the posture task
   double posture_kd = 20.0;   ///< [1/s] damping of the posture task
@@ -93,6 +89,8 @@ struct Gains {
   /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the
   /// capture point.
   double foothold_feedback = 0.7;
+  /// [h] Capture margin below which a standing robot that has lost two contacts steps; -10: never.
+  double recovery_margin = 0.05;
   double swing_height = 0.15;         ///< [h] height to which a swing foot rises
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.
@@ -103,6 +101,14 @@ struct Gains {
   double walk_speed_backward = 0.6;      ///< [sqrt(g h)] greatest commanded speed backward
   double walk_speed_sideways = 0.47;     ///< [sqrt(g h)] greatest commanded speed sideways
   double walk_turn_speed = 0.52;         ///< [sqrt(g/h)] greatest commanded yaw rate
+  // Gait walk: one foot swings at a time.
+  double walk_gait_period = 5.0;  ///< [sqrt(h/g)] gait_period of the gait walk
+  double walk_gait_duty = 0.8;    ///< [1] share of the period in which a foot stands, gait walk
+  /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk.
+  double walk_gait_margin = 0.17;
+  double walk_gait_swing_height = 0.2;  ///< [h] swing_height of the gait walk
+  double walk_gait_speed = 0.18;       ///< [sqrt(g h)] greatest commanded speed, gait walk
+  double walk_gait_turn_speed = 0.12;  ///< [sqrt(g/h)] greatest commanded yaw rate, gait walk
   // Estimator: noise, contact detection, external wrench.
   double noise_gyroscope = 0.01;      ///< [rad/s] gyroscope noise until it has been measured
   double noise_accelerometer = 0.1;   ///< [m/s^2] accelerometer noise until it has been measured

@@ -12,9 +12,10 @@ class WalkPlanner;
 
 /// Controller that holds the body at the latched pose, or moves it to a BodyReference.
 ///
-/// Its planner latches the pose of the body relative to the feet in the first good samples, and
-/// plans recovery steps with the gain foot_step. After a lost leg, it moves the centre of mass over
-/// the other three feet. It estimates the normal of the ground plane under the feet.
+/// Its planner latches the pose of the body relative to the feet in the first good samples. After a
+/// strong push the robot steps (gain recovery_margin), until its feet are in the nominal stance,
+/// and latches the pose in which it stands. After a lost leg, it moves the centre of mass over the
+/// other three feet. It estimates the normal of the ground plane under the feet.
 class StandController : public Controller {
  public:
   /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the

@@ -173,7 +173,7 @@ bool StateEstimator::Impl::supported() const noexcept {
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   // The forces of feet that land and lift off are not known well enough to weigh a payload.
-  payload.update(gains, dynamics, leg_forces.forces(), supported && !stepping, dt);
+  payload.update(gains, dynamics, leg_forces.forces(), supported, stepping, dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;

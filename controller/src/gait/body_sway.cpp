@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gait/tmp_gains.hpp"
 #include "gait/body_sway.hpp"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ constexpr int kSamples = 40;
 constexpr double kSampleTime = 0.1;
 // Feedback of the DCM error to the ZMP, beyond the 1 that keeps the error constant. Chosen: the
 // error falls with the time constant sqrt(h/g).
-const double kFeedback = tmp_gains.fb;
+constexpr double kFeedback = 1.0;
 // Share of the margin that the ZMP keeps while the feedback moves it. Chosen.
 constexpr double kFeedbackMargin = 0.5;
 // is_at_rest(): [h] largest distance of the DCM from the body trajectory, 3 mm at h = 0.3 m.

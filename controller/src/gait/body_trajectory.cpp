@@ -56,20 +56,22 @@ void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& com
   a_ = R * ((next - last) / dt) + velocity_.yaw_rate * Eigen::Vector2d(-v_.y(), v_.x());
 }
 
-void BodyTrajectory::write(const GroundPlane& ground, const BodySway& sway, double ahead,
+void BodyTrajectory::write(const GroundPlane& ground, const BodySway& sway,
+                           const BodyMotion& offset, double ahead,
                            Reference& reference) const noexcept {
   const Eigen::Vector2d a = a_ + sway.a(), v = v_ + sway.v() + ahead * sway.a();
   const Eigen::Vector2d p = p_ + sway.p() + ahead * (v_ + sway.v());
   const Vector3& n = ground.normal();
   const Eigen::Vector2d slope = -n.head<2>() / n.z();  // rise per distance
   reference.body_point = BodyPoint::kCenterOfMass;
-  reference.p_com << p, ground.height_at(p) + height_;
-  reference.v_com << v, slope.dot(v);
+  reference.p_com << p, ground.height_at(p) + height_ + offset.relative_pose().height;
+  reference.v_com << v, slope.dot(v) + offset.v_height();
   reference.a_com << a, slope.dot(a);
   const Quaternion heading = exp_so3((yaw_ + ahead * velocity_.yaw_rate) * Vector3::UnitZ());
-  reference.R_world_base = Quaternion::FromTwoVectors(Vector3::UnitZ(), n) * heading;
-  reference.w_world_base = velocity_.yaw_rate * n;
-  reference.alpha_world_base.setZero();
+  const Quaternion R = Quaternion::FromTwoVectors(Vector3::UnitZ(), n) * heading;
+  reference.R_world_base = R * offset.R_base();
+  reference.w_world_base = velocity_.yaw_rate * n + R * offset.w_base();
+  reference.alpha_world_base = R * offset.alpha_base();
   reference.use_forces = false;
   reference.ground_normal = n;
 }

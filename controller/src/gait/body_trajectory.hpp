@@ -4,6 +4,7 @@
 #include "gait/body_sway.hpp"
 #include "gait/gait_size.hpp"
 #include "gait/ground_plane.hpp"
+#include "reference/body_motion.hpp"
 #include "surefoot/gains.hpp"
 #include "surefoot/types.hpp"
 #include "surefoot/walk_velocity.hpp"
@@ -21,7 +22,7 @@ struct HorizontalMotion {
 /// Its velocity approaches the command with limited acceleration. Its position integrates the
 /// velocity, but stays near the measured body: after a push the robot does not rush back. The
 /// centre of mass stays at the height of the standing pose over the ground plane, along gravity;
-/// the base is parallel to the ground plane.
+/// the base is parallel to the ground plane, but for the offset that a BodyReference requests.
 class BodyTrajectory {
  public:
   explicit BodyTrajectory(const GaitSize& size) : size_(size) {}
@@ -31,8 +32,9 @@ class BodyTrajectory {
   void update(const Gains& gains, const WalkVelocity& command, const HorizontalMotion& measured,
               double dt) noexcept;
   /// Write the body's part of the reference, `ahead` seconds later than this tick.
-  void write(const GroundPlane& ground, const BodySway& sway, double ahead,
-             Reference& reference) const noexcept;
+  /// @param offset height, roll and pitch of the body relative to those of the standing pose
+  void write(const GroundPlane& ground, const BodySway& sway, const BodyMotion& offset,
+             double ahead, Reference& reference) const noexcept;
 
   /// Motion of the trajectory, without sway.
   HorizontalMotion motion() const noexcept { return {p_, v_, yaw_}; }

@@ -12,8 +12,6 @@ namespace {
 // of a period of 0.42 s, has stepped into a hole.
 constexpr double kMaxWait = 0.15;
 
-double fraction(double value) noexcept { return value - std::floor(value); }
-
 }  // namespace
 
 void GaitClock::advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "surefoot/low_level.hpp"
 
@@ -27,6 +28,11 @@ class GaitClock {
     *this = {};
     grounded_.fill(true);
   }
+  /// Start with `leg`, and all legs that move with it, at the begin of their swing.
+  void start_swing(int leg) noexcept {
+    *this = {};
+    phase_ = fraction(timing_.duty - timing_.offset[leg]);
+  }
 
   /// Advance the phase.
   /// @param late whether a foot that should carry load has not landed
@@ -44,6 +50,7 @@ class GaitClock {
   const GaitTiming& timing() const noexcept { return timing_; }
 
  private:
+  static double fraction(double value) noexcept { return value - std::floor(value); }
   double phase_of(int leg) const noexcept;
 
   GaitTiming timing_;

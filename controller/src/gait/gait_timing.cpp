@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gait/tmp_gains.hpp"
 #include "gait/gait_timing.hpp"
 
 #include <algorithm>
@@ -48,12 +47,12 @@ GaitTiming gait_timing(const StepPattern& pattern, const Gains& gains, const Gai
   const double swing_speed = gains.gait_swing_speed * size.height * size.corner_speed;
   const double ratio = std::max((swing_speed / speed + 1.0) / kPeakSpeed - 1.0, kMinStanceRatio);
   GaitTiming timing;
-  timing.duty = std::min(walk ? tmp_gains.walk_gait_duty : gains.gait_duty, ratio / (1.0 + ratio));
+  timing.duty = std::min(walk ? gains.walk_gait_duty : gains.gait_duty, ratio / (1.0 + ratio));
   if (walk) {
     timing.duty = std::max(timing.duty, kMinWalkDuty);
     timing.offset = walk_offsets(pattern.order, timing.duty);
   }
-  timing.period = std::min((walk ? tmp_gains.walk_gait_period : gains.gait_period) * size.time,
+  timing.period = std::min((walk ? gains.walk_gait_period : gains.gait_period) * size.time,
                            gains.gait_stance_travel * size.height / speed / timing.duty);
   return timing;
 }

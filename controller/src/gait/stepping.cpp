@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gait/tmp_gains.hpp"
 #include "gait/stepping.hpp"
 
 #include <Eigen/Geometry>
@@ -7,6 +6,8 @@
 #include <limits>
 
 #include "gait/foothold.hpp"
+#include "gait/step_timing.hpp"
+#include "reference/capture_margin.hpp"
 
 namespace surefoot {
 
@@ -31,27 +32,50 @@ HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   return {input.p_com.head<2>(), input.v_com.head<2>(), std::atan2(R(1, 0), R(0, 0))};
 }
 
+// Return a leg of the pair that shall step first: the capture point is then nearest to the line
+// between the feet of the other pair.
+int leg_to_swing(const PlannerInput& input) noexcept {
+  const Eigen::Vector2d capture = capture_point(input.dynamics);
+  const auto distance = [&](int a, int b) {
+    const Eigen::Vector2d p = input.p_feet.col(a).head<2>();
+    const Eigen::Vector2d line = (input.p_feet.col(b).head<2>() - p).normalized();
+    const Eigen::Vector2d d = capture - p;
+    return std::abs(line.x() * d.y() - line.y() * d.x());
+  };
+  return distance(FL_, RR_) < distance(FR_, RL_) ? FR_ : FL_;
+}
+
 }  // namespace
 
-void Stepping::start(const PlannerInput& input, bool walk, const WalkVelocity& command) noexcept {
-  at_rest_ = changes_pattern_ = false;
+void Stepping::start(const PlannerInput& input, bool walk, const WalkVelocity& command,
+                     double height_offset) noexcept {
+  begin(input, height_offset);
   pattern_ = suitable_pattern(input.gains, walk, command);
   clock_.start();
+}
+
+void Stepping::start_recovery(const PlannerInput& input, double height_offset) noexcept {
+  begin(input, height_offset);
+  pattern_.walk = false;
+  clock_.start_swing(leg_to_swing(input));
+}
+
+void Stepping::begin(const PlannerInput& input, double height_offset) noexcept {
+  at_rest_ = changes_pattern_ = false;
   contacts_.start();
   ground_.start(input.p_feet);
   sway_.start();
   const Eigen::Vector2d p = input.p_com.head<2>();
-  body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p));
+  body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p) - height_offset);
   footholds_ = input.p_feet;
 }
 
 void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
-                    bool may_stop, Reference& reference) noexcept {
+                    const BodyMotion& offset, bool may_stop, Reference& reference) noexcept {
   const HorizontalMotion measured = motion_without_sway(input);
   at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input, measured));
   update_pattern(input.gains, walk, command);
-  clock_.advance(gait_timing(pattern_, input.gains, size_, body_.velocity()),
-                 contacts_.late(clock_), at_rest_ || changes_pattern_, input.dt);
+  update_clock(input, measured);
   contacts_.update(clock_, input.state.contact, input.dt);
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
@@ -59,7 +83,7 @@ void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& co
   ground_.update(kNormalTime * size_.time, input.dt);
   body_.update(input.gains, command, measured, input.dt);
   update_sway(input);
-  body_.write(ground_, sway_, input.delay, reference);
+  body_.write(ground_, sway_, offset, input.delay, reference);
   reference.stepping = true;
   for (int leg = 0; leg < kLegs; ++leg) {
     plan_foot(leg, input, measured);
@@ -82,7 +106,7 @@ StepPattern Stepping::suitable_pattern(const Gains& gains, bool walk,
   if (walk && hip_speed(size_, command) > 0.0) {
     pattern.order = best_walk_order(pattern_.order, size_, command,
                                     gait_timing(pattern, gains, size_, command).period,
-                                    tmp_gains.walk_gait_margin * size_.height);
+                                    gains.walk_gait_margin * size_.height);
   }
   return pattern;
 }
@@ -91,7 +115,7 @@ StepPattern Stepping::suitable_pattern(const Gains& gains, bool walk,
 // go on.
 void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept {
   const StepPattern pattern = suitable_pattern(gains, walk, command);
-  const double limit = kWalkSpeed * tmp_gains.walk_gait_speed * size_.speed;
+  const double limit = kWalkSpeed * gains.walk_gait_speed * size_.speed;
   changes_pattern_ = !(pattern == pattern_) && (!walk || body_.v_world().norm() <= limit);
   if (!changes_pattern_ || !contacts_.others_in_stance(-1)) return;
   pattern_ = pattern;
@@ -105,10 +129,10 @@ void Stepping::update_sway(const PlannerInput& input) noexcept {
   BodySway::Input sway{body.p_com, body.v_com, body_.a_world(), {}, {}, 0.0, 0.0};
   for (int leg = 0; leg < kLegs; ++leg) {
     sway.swings[leg] = next_swing(input, leg);
-    sway.stance[leg] = contacts_.in_stance(leg);
+    sway.stance[leg] = pattern_.walk && contacts_.in_stance(leg);
   }
-  sway.shift_time = tmp_gains.shift * (timing.duty - 0.75) * timing.period;
-  sway.margin = tmp_gains.walk_gait_margin * size_.height;
+  sway.shift_time = (timing.duty - 0.75) * timing.period;
+  sway.margin = input.gains.walk_gait_margin * size_.height;
   sway_.update(sway, input.dt);
 }
 
@@ -127,6 +151,13 @@ NextSwing Stepping::next_swing(const PlannerInput& input, int leg) const noexcep
   return {begin, end, clock_.time_since_touchdown(leg), stands, lands};
 }
 
+void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
+  GaitTiming timing = gait_timing(pattern_, input.gains, size_, body_.velocity());
+  timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
+  // A walk lifts a foot only when the other three carry their full load.
+  clock_.advance(timing, contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0), at_rest_ || changes_pattern_, input.dt);
+}
+
 void Stepping::plan_foot(int leg, const PlannerInput& input,
                          const HorizontalMotion& measured) noexcept {
   SwingTrajectory& swing = swings_[leg];
@@ -139,7 +170,7 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   const Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
-  const double height = pattern_.walk ? tmp_gains.walk_gait_swing_height
+  const double height = pattern_.walk ? input.gains.walk_gait_swing_height
                                                        : input.gains.swing_height;
   swing.update(
       {height * size_.height, input.gains.swing_landing_speed * size_.speed},

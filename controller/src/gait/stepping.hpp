@@ -19,12 +19,17 @@ class Stepping {
 
   /// Begin at the measured state: all feet stand.
   /// @param walk whether the robot walks with three feet down; false: it trots
-  void start(const PlannerInput& input, bool walk, const WalkVelocity& command) noexcept;
+  /// @param height_offset height of the body above that of the standing pose [m]
+  void start(const PlannerInput& input, bool walk, const WalkVelocity& command,
+             double height_offset) noexcept;
+  /// Begin at the measured state with a trot whose first pair lifts off at once.
+  void start_recovery(const PlannerInput& input, double height_offset) noexcept;
   /// @param walk like that of start(). A change is in force when all feet stand the next time
+  /// @param offset height, roll and pitch of the body relative to those of the standing pose
   /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
   ///   stance, or a leg is lost
-  void plan(const PlannerInput& input, bool walk, const WalkVelocity& command, bool may_stop,
-            Reference& reference) noexcept;
+  void plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
+            const BodyMotion& offset, bool may_stop, Reference& reference) noexcept;
 
   /// Return whether the robot has stopped: no foot need lift off, and all feet stand, except that
   /// of a lost leg.
@@ -34,6 +39,7 @@ class Stepping {
            (lost_leg >= 0 || sway_.is_at_rest());
   }
 
+  const GaitSize& size() const noexcept { return size_; }
   const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
   const FootContacts& contacts() const noexcept { return contacts_; }
   const GaitClock& clock() const noexcept { return clock_; }
@@ -42,6 +48,8 @@ class Stepping {
   const BodySway& sway() const noexcept { return sway_; }
 
  private:
+  void begin(const PlannerInput& input, double height_offset) noexcept;
+  void update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
   StepPattern suitable_pattern(const Gains& gains, bool walk,
                                const WalkVelocity& command) const noexcept;

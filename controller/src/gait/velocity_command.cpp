@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gait/tmp_gains.hpp"
 #include "gait/velocity_command.hpp"
 
 #include <algorithm>
@@ -20,12 +19,12 @@ void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& vel
     return std::clamp(value, low, high);
   };
   const bool walk = gait == Gait::kWalk;
-  const double sideways = (walk ? tmp_gains.walk_gait_speed : gains.walk_speed_sideways) * size_.speed;
-  const double turn = (walk ? tmp_gains.walk_gait_turn_speed : gains.walk_turn_speed) / size_.time;
+  const double sideways = (walk ? gains.walk_gait_speed : gains.walk_speed_sideways) * size_.speed;
+  const double turn = (walk ? gains.walk_gait_turn_speed : gains.walk_turn_speed) / size_.time;
   velocity_.yaw_rate = clamp(velocity.yaw_rate, -turn, turn, WalkLimit::kTurn);
   velocity_.vy = clamp(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
-  const double forward = (walk ? tmp_gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
-  const double backward = (walk ? tmp_gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
+  const double forward = (walk ? gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
+  const double backward = (walk ? gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
   velocity_.vx = clamp(velocity.vx, -backward, forward, WalkLimit::kForward);
 }
 

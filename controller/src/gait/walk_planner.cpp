@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/walk_planner.hpp"
 
+#include <algorithm>
+
+#include "reference/capture_margin.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -17,6 +21,8 @@ constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
 constexpr double kPutDownTime = 0.3;
+// Contact confidence below which a standing foot has lost contact. Chosen as in FootContacts.
+constexpr double kLostContact = 0.3;
 
 }  // namespace
 
@@ -27,7 +33,7 @@ WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double veloci
     : command_(size, velocity_timeout), stand_(robot), stepping_(size) {}
 
 void WalkPlanner::reset() noexcept {
-  walking_ = false;
+  walking_ = recovering_ = false;
   time_ = airborne_time_ = lost_time_ = 0.0;
   command_.reset();
   stand_.reset();
@@ -36,18 +42,32 @@ void WalkPlanner::reset() noexcept {
 bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept {
   update_times(input);
   const bool walk = wants_to_walk(input);
-  if (!walking_ && !(walk && input.state.contact.minCoeff() > kContact)) {
+  const bool recover = !walking_ && must_step(input);
+  if (!walking_ && !recover && !(walk && input.state.contact.minCoeff() > kContact)) {
     return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
-    walking_ = false;
-    stand_.reset();  // it latches the pose in which the walk ends
+    walking_ = recovering_ = false;
+    stand_.latch_again();  // the pose in which the walk ends
     return plan_stand(input, reference);
   }
-  if (!walking_) stepping_.start(input, gait_ == Gait::kWalk, command_.velocity());
+  recovering_ = !walk && (recovering_ || recover);
+  const bool walk_gait = gait_ == Gait::kWalk && !recovering_;
+  if (!walking_) start_walk(input, recover, walk_gait);
+  const GaitSize& size = stepping_.size();
+  stand_.move_while_walking(input, size.nominal_feet, size.nominal_base);
   walking_ = true;
-  stepping_.plan(input, gait_ == Gait::kWalk, command_.velocity(), !walk, reference);
+  stepping_.plan(input, walk_gait, command_.velocity(), stand_.motion(), !walk, reference);
   return true;
+}
+
+void WalkPlanner::start_walk(const PlannerInput& input, bool recover, bool walk_gait) noexcept {
+  const double height = stand_.motion().relative_pose().height;
+  if (recover) {
+    stepping_.start_recovery(input, height);
+  } else {
+    stepping_.start(input, walk_gait, command_.velocity(), height);
+  }
 }
 
 void WalkPlanner::update_times(const PlannerInput& input) noexcept {
@@ -60,6 +80,17 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
 bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > kAirborneTime) return false;
   return !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
+}
+
+// Return whether a standing robot must step: the capture point leaves the polygon of the feet. With
+// two feet off the ground it steps earlier, because the body already turns about the others.
+bool WalkPlanner::must_step(const PlannerInput& input) const noexcept {
+  if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > 0.0) return false;
+  const bool tips = (input.state.contact.array() < kLostContact).count() >= 2;
+  const double margin =
+      tips ? input.gains.recovery_margin : std::min(input.gains.recovery_margin, 0.0);
+  return capture_margin(input.dynamics, {true, true, true, true}) <
+         margin * stepping_.size().height;
 }
 
 bool WalkPlanner::must_stand() const noexcept {

@@ -35,13 +35,16 @@ class WalkPlanner : public Planner {
 
  private:
   WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout);
+  void start_walk(const PlannerInput& input, bool recover, bool walk_gait) noexcept;
   void update_times(const PlannerInput& input) noexcept;
   bool wants_to_walk(const PlannerInput& input) const noexcept;
+  bool must_step(const PlannerInput& input) const noexcept;
   bool must_stand() const noexcept;
   bool plan_stand(const PlannerInput& input, Reference& reference) noexcept;
 
   Gait gait_ = Gait::kAuto;
   bool walking_ = false;
+  bool recovering_ = false;     // the robot trots because of a push, not of a command
   double time_ = 0.0;           // [s] since reset()
   double airborne_time_ = 0.0;  // [s] for which no foot has been in contact
   double lost_time_ = 0.0;      // [s] since the leg was lost

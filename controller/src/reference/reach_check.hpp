@@ -23,8 +23,8 @@ struct ReachResult {
 /// the support polygon.
 ///
 /// For a standing robot, these conditions replace self-collision constraints: legs do not collide
-/// while their feet stay in place and their joints stay in range. During recovery steps (gain
-/// foot_step > 0) legs may collide; ReachCheck does not detect such collisions. Real-time: yes.
+/// while their feet stay in place and their joints stay in range. While feet step, this class
+/// is not used. Real-time: yes.
 class ReachCheck {
  public:
   explicit ReachCheck(const Robot& robot) : robot_(robot), kinematics_(robot) {}

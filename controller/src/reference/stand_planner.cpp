@@ -10,11 +10,6 @@ namespace {
 // The constants are chosen. Tests: tests/closed_loop/test_external_lifts.py,
 // test_stand_planner.cpp.
 constexpr double kAirborneTime = 0.2;  // [s] time constant of airborne_share_
-// Airborne share above which recovery steps stop. The share reaches this value after 0.32 s in the
-// air. If smaller: a fall from 10 cm, which lasts 0.14 s, would stop recovery steps. If larger:
-// while a person lifts the robot, recovery steps would press feet down and stretch their legs for
-// longer.
-constexpr double kLiftedShare = 0.8;
 // Additional extension of airborne legs, as a share of the standing height. If smaller: the joints
 // have too little range left to brake a landing. If larger: the legs are nearly straight.
 constexpr double kAirborneExtension = 0.15;
@@ -28,8 +23,12 @@ constexpr int kPoseLatches = 3;
 
 void StandPlanner::reset() noexcept {
   motion_.reset();
+  walking_ = false;
+  latch_again();
+}
+
+void StandPlanner::latch_again() noexcept {
   three_leg_stance_.reset();
-  recovery_steps_.reset();
   airborne_share_ = 0.0;
   pose_latches_ = 0;
 }
@@ -60,27 +59,37 @@ bool StandPlanner::plan(const PlannerInput& input, Reference& reference) noexcep
 
 void StandPlanner::latch(const PlannerInput& input) noexcept {
   foot_rolling_.reset();
-  recovery_steps_.reset();
   support_.latch(input.p_feet);
   const Matrix3 R = support_.R_world_support().transpose();  // from world to support axes
   const LatchedPose pose{R * (input.dynamics.p_world_base() - support_.origin()),
                          Quaternion(Matrix3(R * input.R_world_base))};
-  motion_.latch(pose, R * (input.p_com - support_.origin()), input.state.q);
+  const Vector3 p_com = R * (input.p_com - support_.origin());
+  motion_.set_walking(false);
+  if (walking_) {
+    motion_.latch_moved(motion_.origin_of(pose), p_com, input.state.q);
+  } else {
+    motion_.latch(pose, p_com, input.state.q);
+  }
 }
 
-// Update the rolling of the feet, the support frame and the recovery steps.
+void StandPlanner::move_while_walking(const PlannerInput& input, const FeetMatrix& p_feet,
+                                      const Vector3& p_base) noexcept {
+  // The support frame of the nominal stance: the feet are at z = 0, the base is level.
+  const Vector3 p_com = -p_feet.row(2).mean() * Vector3::UnitZ();
+  if (pose_latches_ > 0 || !walking_) {
+    motion_.latch_moved({p_com + p_base, Quaternion::Identity()}, p_com, input.state.q);
+    motion_.set_walking(true);
+    walking_ = true;
+    pose_latches_ = 0;
+  }
+  const Vector3 gravity = -(motion_.R_base() * input.R_world_base.row(2).transpose());
+  motion_.update(input.gains, p_feet.colwise() + p_com, gravity, input.dt);
+}
+
+// Update the rolling of the feet and the support frame.
 void StandPlanner::update_feet(const PlannerInput& input, const Eigen::Vector4d& contact) noexcept {
   foot_rolling_.update(input.dynamics, support_.normal(), contact, input.dt);
-  const FeetMatrix p = input.p_feet - foot_rolling_.displacement();
-  FeetMatrix support_feet = p;
-  Eigen::Vector4d support_contact = contact;
-  recovery_steps_.exclude_swing_feet(support_, support_feet, support_contact);
-  support_.update(support_feet, support_contact, input.dt);
-  if (input.lost_leg < 0 && airborne_share_ < kLiftedShare) {
-    recovery_steps_.update(input.gains, input.dynamics, p, contact, support_, input.dt);
-  } else {
-    recovery_steps_.stop(input.dt);
-  }
+  support_.update(input.p_feet - foot_rolling_.displacement(), contact, input.dt);
 }
 
 void StandPlanner::write(Reference& reference) const noexcept {
@@ -94,11 +103,8 @@ void StandPlanner::write(Reference& reference) const noexcept {
   reference.ground_normal = support_.normal();
   for (int leg = 0; leg < kLegs; ++leg) {
     reference.feet[leg].p_world = support_.origin() + R * support_.nominal_feet().col(leg) +
-                                  recovery_steps_.foot_offsets().col(leg) +
                                   foot_rolling_.displacement().col(leg);
-    // Only a foot that lifts off must be unloaded. A swing foot keeps stance = true, so that the QP
-    // lets it carry load as soon as it lands. Until then its contact confidence limits its load.
-    reference.feet[leg].stance = !recovery_steps_.is_lifting_off(leg);
+    reference.feet[leg].stance = true;
   }
 }
 

@@ -4,7 +4,6 @@
 #include "dynamics/dynamics.hpp"
 #include "reference/body_motion.hpp"
 #include "reference/foot_rolling.hpp"
-#include "reference/recovery_steps.hpp"
 #include "reference/support_frame.hpp"
 #include "reference/three_leg_stance.hpp"
 #include "surefoot/planner.hpp"
@@ -20,8 +19,7 @@ namespace surefoot {
 /// the body together, so these errors cannot make the robot lean.
 ///
 /// While no foot is loaded, the frame follows the body, and the legs extend beyond the standing
-/// pose by kAirborneExtension. When the capture point is near a support edge, feet step
-/// (RecoverySteps). Real-time: yes.
+/// pose by kAirborneExtension. Real-time: yes.
 class StandPlanner : public Planner {
  public:
   explicit StandPlanner(const Robot& robot)
@@ -29,6 +27,14 @@ class StandPlanner : public Planner {
 
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
   void reset() noexcept override;
+  /// Stop standing: latch the pose of the next plan() again. The height, roll and pitch that were
+  /// requested last stay.
+  void latch_again() noexcept;
+  /// Move height, roll and pitch of a walking robot, relative to the nominal stance, see motion().
+  /// @param p_feet contact points FR FL RR RL of the nominal stance, from the centre of mass [m]
+  /// @param p_base origin of the base, from the centre of mass [m]
+  void move_while_walking(const PlannerInput& input, const FeetMatrix& p_feet,
+                          const Vector3& p_base) noexcept;
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
   /// Return whether a pose is latched.
@@ -44,11 +50,11 @@ class StandPlanner : public Planner {
   BodyMotion motion_;
   SupportFrame support_;
   FootRolling foot_rolling_;
-  RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
   // 0: at least one foot is in contact. Near 1: all feet have been in the air for much longer than
   // kAirborneTime. Each tick moves the support frame towards the body by this share.
   double airborne_share_ = 0.0;
+  bool walking_ = false;  // since the pose was latched
   int pose_latches_ = 0;  // number of calls of plan() that have latched the pose
 };
 

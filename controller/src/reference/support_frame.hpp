@@ -36,19 +36,10 @@ class SupportFrame {
     origin_ += share * (p_world_body - R_ * p_support_body - origin_);
   }
 
-  /// Move a nominal foot position.
-  /// @param displacement world axes [m]
-  void move_nominal_foot(int leg, const Vector3& displacement) noexcept {
-    nominal_feet_.col(leg) += R_.transpose() * displacement;
-  }
-
   const Vector3& origin() const noexcept { return origin_; }  ///< [m] world frame
   const Matrix3& R_world_support() const noexcept { return R_; }
   Vector3 normal() const noexcept { return R_.col(2); }
   const FeetMatrix& nominal_feet() const noexcept { return nominal_feet_; }  ///< [m] support frame
-  FeetMatrix p_world_nominal_feet() const noexcept {
-    return (R_ * nominal_feet_).colwise() + origin_;
-  }
 
  private:
   void update_normal(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,

@@ -67,25 +67,7 @@ Eigen::Vector2d SupportPolygon::nearest_inside(const Eigen::Vector2d& point,
     }
     if (std::isfinite(min_distance)) return nearest;
   }
-  return point - displacement_outside(point);
-}
-
-Eigen::Vector2d SupportPolygon::displacement_outside(const Eigen::Vector2d& point) const noexcept {
-  // Displacement of `point` from the nearest point that has been found so far.
-  Eigen::Vector2d shortest = Eigen::Vector2d::Zero();
-  if (count_ < 2 || (is_valid() && margin(point) >= 0.0)) return shortest;
-  double min_distance = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < count_; ++k) {
-    const Eigen::Vector2d from = point - corners_[k];
-    const Eigen::Vector2d along = corners_[(k + 1) % count_] - corners_[k];
-    const double share = from.dot(along) / std::max(along.squaredNorm(), 1e-12);
-    const Eigen::Vector2d displacement = from - std::clamp(share, 0.0, 1.0) * along;
-    if (displacement.norm() < min_distance) {
-      min_distance = displacement.norm();
-      shortest = displacement;
-    }
-  }
-  return shortest;
+  return point;
 }
 
 }  // namespace surefoot

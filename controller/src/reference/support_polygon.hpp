@@ -35,11 +35,6 @@ class SupportPolygon {
   /// is_valid() is false, return `point`.
   Eigen::Vector2d nearest_inside(const Eigen::Vector2d& point, double margin) const noexcept;
 
-  /// Compute the vector [m] from the nearest point of the polygon to `point`. With two feet the
-  /// polygon is the segment between them. Return zero if `point` is inside, or if there are fewer
-  /// than two feet.
-  Eigen::Vector2d displacement_outside(const Eigen::Vector2d& point) const noexcept;
-
  private:
   Eigen::Vector2d inset_corner(int k, double margin) const noexcept;
 

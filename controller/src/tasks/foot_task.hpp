@@ -6,13 +6,11 @@
 namespace surefoot {
 
 /// Compute the desired acceleration of each contact point, world axes [m/s^2], one column per foot:
-///   a = a_ref + kp (p_ref - p) + kd (v_ref - v),   |kp (p_ref - p)| <= max(kd, 1) foot_speed
+///   a = a_ref + kp (p_ref - p) + kd (v_ref - v)
 /// For a stance foot, p_ref is its desired position on the ground, and the feedback stabilises the
 /// contact.
-/// The QP meets these accelerations exactly (except near a singularity), and its solution includes
-/// the reaction of the legs on the body. So a foot far from its reference must not get an
-/// acceleration that its leg cannot produce. The limit on the kp term ensures this: the foot
-/// returns no faster than foot_speed.
+/// The QP meets these accelerations exactly, except near a singularity, and its solution includes
+/// the reaction of the legs on the body.
 /// Real-time: yes.
 FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
                               const Dynamics& dynamics) noexcept;

@@ -9,9 +9,12 @@ namespace surefoot {
 ///
 ///   joints:          change of q, integral of dq
 ///   turn of the body: integral of the gyroscope, change of the quaternion, integral of the rate at
-///                    which the stance feet are at rest (rate_from_legs(): q and dq)
+///                    which the stance feet are at rest (rate_from_legs(): q and dq),
+///                    within the turn that soft soles allow
 /// All displacements are those of about the last 0.1 s. Of the three turns, two that agree outvote
-/// the third. Sensors that agree about a motion are right: their check ends. Real-time: yes.
+/// the third. The legs are outvoted by their turn of about the last 0.5 s, because soft soles may
+/// hide a smaller one. Sensors that agree about a motion are right: their check ends. Real-time:
+/// yes.
 class MotionCheck {
  public:
   /// Judge a sample that the estimator used.
@@ -23,7 +26,15 @@ class MotionCheck {
   void reset() noexcept { *this = MotionCheck(); }
 
  private:
-  Status judge_turns(const StateEstimator& estimator) noexcept;
+  /// Turns of the body by each sensor, base axes [rad]; older motion fades.
+  struct Turns {
+    Vector3 gyroscope = Vector3::Zero(), quaternion = Vector3::Zero(), legs = Vector3::Zero();
+    /// @param beyond_legs by which the turn of the gyroscope exceeds that of the legs
+    void add(const Vector3& by_quaternion, const Vector3& by_legs, const Vector3& beyond_legs,
+             double keep) noexcept;
+  };
+
+  Status judge_turns(const RobotConfig& config, const StateEstimator& estimator) noexcept;
   Status judge_joints(const StateEstimator& estimator) noexcept;
   Status wrong_joints(const StateEstimator& estimator) const noexcept;
   void read(const LowState& low_state, const RobotConfig& config, const StateEstimator& estimator,
@@ -34,11 +45,10 @@ class MotionCheck {
   bool has_quaternion_ = false;  // the last sample had a quaternion of unit length
   bool q_has_changed_ = false;
   Vector12 q_last_ = Vector12::Zero();
-  Quaternion quaternion_last_ = Quaternion::Identity();  // base to world
-  // Displacements [rad]; turns in base axes.
-  Vector12 by_q_ = Vector12::Zero(), by_dq_ = Vector12::Zero();
-  Vector3 by_gyroscope_ = Vector3::Zero(), by_quaternion_ = Vector3::Zero(),
-          by_legs_ = Vector3::Zero();
+  Quaternion quaternion_last_ = Quaternion::Identity();          // base to world
+  Vector12 by_q_ = Vector12::Zero(), by_dq_ = Vector12::Zero();  // [rad] displacements
+  Turns turns_;                                                  // of about the last 0.1 s
+  Turns long_turns_;                                             // of about the last 0.5 s
 };
 
 }  // namespace surefoot

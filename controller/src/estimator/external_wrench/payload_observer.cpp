@@ -10,6 +10,10 @@ namespace {
 // [m/s] Speed of the centre of mass below which the robot is at rest. Chosen larger than the
 // velocity noise of a standing robot, and smaller than the velocity after a push.
 constexpr double kRestSpeed = 0.1;
+// [s] Time constant of the mean wrench at rest. Chosen. If smaller: the mean contains a larger share
+// of a push that has just begun, and the robot is still slower than kRestSpeed. If larger: a payload
+// that was just put on is not yet carried when the robot begins to walk.
+constexpr double kRestTime = 0.5;
 // [m] Bound of the estimated moment, divided by the bound of the estimated force. Chosen: a payload
 // within 0.1 m of the centre of mass (docs/explanation/estimator.md, payload_max).
 constexpr double kMaxLever = 0.1;
@@ -22,10 +26,14 @@ Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
 }  // namespace
 
 void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
-                             bool supported, double dt) noexcept {
+                             bool supported, bool stepping, double dt) noexcept {
   const Vector3 linear = mass_ * dynamics.v_world_com();
   const Vector3& angular = dynamics.L_world_com();
-  if (!supported) {
+  if (stepping) {
+    force_ = force_at_rest_;
+    moment_ = moment_at_rest_;
+  }
+  if (stepping || !supported) {
     reset_momentum(gains, linear, angular);
     return;
   }
@@ -41,6 +49,8 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
     if (dynamics.v_world_com().norm() < kRestSpeed) {
       force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
       moment_ = limit_norm(-moment, kMaxLever * max_force);
+      force_at_rest_ = force_;
+      moment_at_rest_ = moment_;
     }
     reset_momentum(gains, linear, angular);
     started_ = true;
@@ -51,6 +61,14 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   force_ = limit_norm((linear - linear_momentum_) / gains.payload_time, max_force);
   moment_ = limit_norm((angular - angular_momentum_) / gains.payload_time, kMaxLever * max_force);
   reset_momentum(gains, linear, angular);
+  average_at_rest(dynamics, dt);
+}
+
+void PayloadObserver::average_at_rest(const Dynamics& dynamics, double dt) noexcept {
+  if (dynamics.v_world_com().norm() > kRestSpeed) return;
+  const double share = dt / (dt + kRestTime);
+  force_at_rest_ += share * (force_ - force_at_rest_);
+  moment_at_rest_ += share * (moment_ - moment_at_rest_);
 }
 
 // Set the predicted momentum to the value with which the present momentum gives the present

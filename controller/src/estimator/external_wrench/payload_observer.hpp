@@ -14,7 +14,8 @@ namespace surefoot {
 ///   m dv_com/dt = sum f + m g + F,   dL_com/dt = sum (p - p_com) x f + N.
 /// A first-order momentum observer estimates F and N without measured accelerations (De Luca,
 /// Mattone 2003, there for joints). The estimate is bounded. It does not change while the feet do
-/// not carry the robot.
+/// not carry the robot. While feet step, it is the mean of the last second at rest: a push that
+/// makes a standing robot step is no payload.
 ///
 /// The contact forces come from joint torques, so a scale error of the torques appears as an
 /// external wrench too. This is harmless: if the controller compensates this wrench, the commanded
@@ -28,8 +29,9 @@ class PayloadObserver {
   /// @param forces contact forces on the feet, FR FL RR RL, world axes [N]
   /// @param supported true if the feet carry the robot and joint torques are available, measured or
   ///   planned
+  /// @param stepping true if the planner lets feet step
   void update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
-              bool supported, double dt) noexcept;
+              bool supported, bool stepping, double dt) noexcept;
 
   const Vector3& force() const noexcept { return force_; }  ///< [N] world axes
   /// [N.m] about the centre of mass, world axes
@@ -42,6 +44,7 @@ class PayloadObserver {
   void reset() noexcept { *this = PayloadObserver(mass_); }
 
  private:
+  void average_at_rest(const Dynamics& dynamics, double dt) noexcept;
   void reset_momentum(const Gains& gains, const Vector3& linear, const Vector3& angular) noexcept;
 
   double mass_;
@@ -49,6 +52,8 @@ class PayloadObserver {
   // [N.s], [N.m.s] Momentum predicted from contact forces, gravity and the estimated wrench.
   Vector3 linear_momentum_ = Vector3::Zero(), angular_momentum_ = Vector3::Zero();
   Vector3 force_ = Vector3::Zero(), moment_ = Vector3::Zero();
+  // Mean wrench of about the last second in which the robot stood at rest.
+  Vector3 force_at_rest_ = Vector3::Zero(), moment_at_rest_ = Vector3::Zero();
 };
 
 }  // namespace surefoot
