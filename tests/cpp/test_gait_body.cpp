@@ -72,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(turning_walk_has_centripetal_acceleration, BodyFixture) 
 }
 
 BOOST_FIXTURE_TEST_CASE(position_stays_near_a_body_that_is_held, BodyFixture) {
-  for (int k = 0; k < 2000; ++k) body.update(gains, {0.5, 0.0, 0.0}, measured, kDt);
+  for (int k = 0; k < 2000; ++k) body.update(gains, {0.5, 0.0, 0.0}, measured, 1.0, kDt);
   const Eigen::Vector2d ahead = written().p_com.head<2>() - measured.p_com;
   BOOST_TEST(std::abs(ahead.norm() - 0.17 * size.height) < 1e-9);
   BOOST_TEST(std::abs(ahead.norm() - ahead.dot(Eigen::Vector2d(std::cos(0.4), std::sin(0.4)))) <
@@ -83,7 +83,7 @@ BOOST_FIXTURE_TEST_CASE(heading_stays_near_the_body_through_full_turns, BodyFixt
   measured.yaw = M_PI - 0.05;
   body.start(measured, size.height);
   for (int k = 0; k < 5000; ++k) {
-    body.update(gains, {0.0, 0.0, 1.0}, measured, kDt);
+    body.update(gains, {0.0, 0.0, 1.0}, measured, 1.0, kDt);
     const Quaternion heading = exp_so3(measured.yaw * Vector3::UnitZ());
     BOOST_REQUIRE(written().R_world_base.angularDistance(heading) < 0.1 + 1e-6);
     measured.yaw = std::remainder(measured.yaw + 0.9 * kDt, 2.0 * M_PI);  // slower: it lags

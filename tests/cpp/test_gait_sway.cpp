@@ -19,8 +19,13 @@ struct SwayFixture {
   BodySway sway{size};
   double margin = 0.17 * size.height, time = 0.0;
   bool walks = true;
-  BodySway::Input input{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
-                        {}, {}, 0.25 * kPeriod - kSwing, margin};
+  BodySway::Input input{Eigen::Vector2d::Zero(),
+                        Eigen::Vector2d::Zero(),
+                        Eigen::Vector2d::Zero(),
+                        {},
+                        {},
+                        0.25 * kPeriod - kSwing,
+                        margin};
 
   void tick() {
     constexpr double kNever = std::numeric_limits<double>::infinity();

@@ -31,8 +31,9 @@ void BodyTrajectory::start(const HorizontalMotion& measured, double height) noex
 }
 
 void BodyTrajectory::update(const Gains& gains, const WalkVelocity& command,
-                            const HorizontalMotion& measured, double dt) noexcept {
-  update_velocity(gains, command, dt);
+                            const HorizontalMotion& measured, double acceleration_share,
+                            double dt) noexcept {
+  update_velocity(gains, command, acceleration_share, dt);
   p_ += dt * v_;
   const Eigen::Vector2d ahead = p_ - measured.p_com;
   const double limit = kMaxDistance * size_.height;
@@ -44,12 +45,13 @@ void BodyTrajectory::update(const Gains& gains, const WalkVelocity& command,
 }
 
 void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& command,
-                                     double dt) noexcept {
+                                     double acceleration_share, double dt) noexcept {
   const Eigen::Vector2d last(velocity_.vx, velocity_.vy);
   const Eigen::Vector2d change = Eigen::Vector2d(command.vx, command.vy) - last;
-  const double step = gains.walk_acceleration * kGravity * dt;
+  const double step = acceleration_share * gains.walk_acceleration * kGravity * dt;
   const Eigen::Vector2d next = last + std::min(1.0, step / std::max(change.norm(), 1e-9)) * change;
-  const double turn_step = gains.walk_turn_acceleration * kGravity / size_.height * dt;
+  const double turn_step =
+      acceleration_share * gains.walk_turn_acceleration * kGravity / size_.height * dt;
   velocity_ = {next.x(), next.y(), approached(velocity_.yaw_rate, command.yaw_rate, turn_step)};
   const Eigen::Rotation2Dd R(yaw_);
   v_ = R * next;

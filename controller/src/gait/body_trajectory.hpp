@@ -29,8 +29,10 @@ class BodyTrajectory {
 
   /// Begin at the measured state, at velocity 0.
   void start(const HorizontalMotion& measured, double height) noexcept;
+  /// @param acceleration_share share, 0 .. 1, of the gains walk_acceleration and
+  ///   walk_turn_acceleration that may be used
   void update(const Gains& gains, const WalkVelocity& command, const HorizontalMotion& measured,
-              double dt) noexcept;
+              double acceleration_share, double dt) noexcept;
   /// Write the body's part of the reference, `ahead` seconds later than this tick.
   /// @param offset height, roll and pitch of the body relative to those of the standing pose
   void write(const GroundPlane& ground, const BodySway& sway, const BodyMotion& offset,
@@ -44,7 +46,8 @@ class BodyTrajectory {
   double yaw() const noexcept { return yaw_; }                         ///< [rad]
 
  private:
-  void update_velocity(const Gains& gains, const WalkVelocity& command, double dt) noexcept;
+  void update_velocity(const Gains& gains, const WalkVelocity& command, double acceleration_share,
+                       double dt) noexcept;
 
   GaitSize size_;
   WalkVelocity velocity_;

@@ -11,14 +11,15 @@ namespace {
 // [h] Largest distance of a foothold from its hip at touchdown. Chosen: the reach of the legs at
 // the standing height.
 constexpr double kMaxOffset = 0.83;
-// [h] Smallest distance of a planned foothold from the middle of the body, to its own side: 7 cm at
+// [h] Smallest distance of a planned foothold from the middle of the body, to its own side: 8 cm at
 // h = 0.3 m. Chosen: with less, the left and the right leg touch in a walk to the side. What brakes
 // a push may be nearer.
-constexpr double kMinSide = 0.25;
+constexpr double kMinSide = 0.27;
 
 // Return the planned place of a foot at touchdown in a steady walk, from the centre of mass, in
 // axes of the heading at mid-stance.
-Eigen::Vector2d planned_place(const GaitSize& size, int leg, const Eigen::Vector2d& travel) noexcept {
+Eigen::Vector2d planned_place(const GaitSize& size, int leg,
+                              const Eigen::Vector2d& travel) noexcept {
   Eigen::Vector2d place = size.nominal_feet.col(leg).head<2>() + 0.5 * travel;
   const double side = size.nominal_feet(1, leg) < 0.0 ? -1.0 : 1.0;
   place.y() = side * std::max(side * place.y(), kMinSide * size.height);

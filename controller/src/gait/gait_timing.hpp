@@ -11,8 +11,8 @@ namespace surefoot {
 
 /// Which feet step together, and in which order.
 struct StepPattern {
-  bool walk = false;                         ///< false: trot, diagonal pairs in turn
-  WalkOrder order = {RR_, FR_, RL_, FL_};    ///< of the walk; a trot ignores it
+  bool walk = false;                       ///< false: trot, diagonal pairs in turn
+  WalkOrder order = {RR_, FR_, RL_, FL_};  ///< of the walk; a trot ignores it
   bool operator==(const StepPattern& other) const noexcept {
     return walk == other.walk && (!walk || order == other.order);
   }

@@ -2,6 +2,7 @@
 #include "gait/stepping.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,7 +82,7 @@ void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& co
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
   }
   ground_.update(kNormalTime * size_.time, input.dt);
-  body_.update(input.gains, command, measured, input.dt);
+  body_.update(input.gains, command, measured, acceleration_share(input.gains, command), input.dt);
   update_sway(input);
   body_.write(ground_, sway_, offset, input.delay, reference);
   reference.stepping = true;
@@ -123,6 +124,16 @@ void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity&
   clock_.start();
 }
 
+// A walk reaches its greatest speed in a period: until then, the foot that lifts off last stands
+// where it stood at the beginning.
+double Stepping::acceleration_share(const Gains& gains,
+                                    const WalkVelocity& command) const noexcept {
+  const bool brakes = hip_speed(size_, command) < hip_speed(size_, body_.velocity());
+  if (!pattern_.walk || brakes) return 1.0;
+  const double acceleration = gains.walk_gait_speed * size_.speed / clock_.timing().period;
+  return std::min(1.0, acceleration / (gains.walk_acceleration * kGravity));
+}
+
 void Stepping::update_sway(const PlannerInput& input) noexcept {
   const GaitTiming& timing = clock_.timing();
   const HorizontalMotion body = body_.motion();
@@ -146,8 +157,8 @@ NextSwing Stepping::next_swing(const PlannerInput& input, int leg) const noexcep
     return {0.0, clock_.time_to_touchdown(leg), 0.0, stands, footholds_.col(leg).head<2>()};
   }
   const double end = begin + clock_.timing().swing_time();
-  const Eigen::Vector2d lands = foothold(input.gains, size_, body_.motion(), body_, leg, end,
-                                         clock_.timing().stance_time());
+  const Eigen::Vector2d lands =
+      foothold(input.gains, size_, body_.motion(), body_, leg, end, clock_.timing().stance_time());
   return {begin, end, clock_.time_since_touchdown(leg), stands, lands};
 }
 
@@ -155,7 +166,8 @@ void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& m
   GaitTiming timing = gait_timing(pattern_, input.gains, size_, body_.velocity());
   timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
   // A walk lifts a foot only when the other three carry their full load.
-  clock_.advance(timing, contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0), at_rest_ || changes_pattern_, input.dt);
+  clock_.advance(timing, contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0),
+                 at_rest_ || changes_pattern_, input.dt);
 }
 
 void Stepping::plan_foot(int leg, const PlannerInput& input,
@@ -170,12 +182,11 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   const Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
-  const double height = pattern_.walk ? input.gains.walk_gait_swing_height
-                                                       : input.gains.swing_height;
-  swing.update(
-      {height * size_.height, input.gains.swing_landing_speed * size_.speed},
-      footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(), time_left,
-      input.dt);
+  const double height =
+      pattern_.walk ? input.gains.walk_gait_swing_height : input.gains.swing_height;
+  swing.update({height * size_.height, input.gains.swing_landing_speed * size_.speed},
+               footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(),
+               time_left, input.dt);
 }
 
 void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept {
@@ -204,8 +215,7 @@ bool Stepping::is_at_rest(const PlannerInput& input,
   const Eigen::Rotation2Dd R(body_.yaw());
   for (int leg = 0; leg < kLegs; ++leg) {
     const Eigen::Vector2d nominal = size_.nominal_feet.col(leg).head<2>();
-    const Eigen::Vector2d offset =
-        input.p_feet.col(leg).head<2>() - measured.p_com - R * nominal;
+    const Eigen::Vector2d offset = input.p_feet.col(leg).head<2>() - measured.p_com - R * nominal;
     if (offset.norm() > kStopDistance * size_.height) return false;
   }
   return true;

@@ -54,6 +54,7 @@ class Stepping {
   StepPattern suitable_pattern(const Gains& gains, bool walk,
                                const WalkVelocity& command) const noexcept;
   void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
+  double acceleration_share(const Gains& gains, const WalkVelocity& command) const noexcept;
   void update_sway(const PlannerInput& input) noexcept;
   NextSwing next_swing(const PlannerInput& input, int leg) const noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;

@@ -33,9 +33,8 @@ double sway_of(const WalkOrder& order, const GaitSize& size, const WalkVelocity&
     }
     std::array<bool, kLegs> stance = {true, true, true, true};
     stance[order[swing]] = false;
-    sway += SupportPolygon(feet, stance)
-                .nearest_inside(Eigen::Vector2d::Zero(), margin)
-                .squaredNorm();
+    sway +=
+        SupportPolygon(feet, stance).nearest_inside(Eigen::Vector2d::Zero(), margin).squaredNorm();
   }
   return sway;
 }

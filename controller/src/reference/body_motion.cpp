@@ -50,8 +50,8 @@ void BodyMotion::latch_moved(const LatchedPose& origin, const Vector3& p_com,
 }
 
 LatchedPose BodyMotion::origin_of(const LatchedPose& pose) const noexcept {
-  const Quaternion offset = exp_so3(relative_pose_[4] * Vector3::UnitY()) *
-                            exp_so3(relative_pose_[3] * Vector3::UnitX());
+  const Quaternion offset =
+      exp_so3(relative_pose_[4] * Vector3::UnitY()) * exp_so3(relative_pose_[3] * Vector3::UnitX());
   return {pose.p_base - relative_pose_[2] * Vector3::UnitZ(), offset.conjugate() * pose.R_base};
 }
 

@@ -28,8 +28,8 @@ class BodyMotion {
   /// @param q configuration at the latch, shape (nq,); initial guess of the inverse kinematics
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
 
-  /// Start at rest at the present height, roll and pitch relative to `origin`, the latched pose from
-  /// now on; x, y and yaw become 0. The other parameters are those of latch().
+  /// Start at rest at the present height, roll and pitch relative to `origin`, the latched pose
+  /// from now on; x, y and yaw become 0. The other parameters are those of latch().
   void latch_moved(const LatchedPose& origin, const Vector3& p_com,
                    const Eigen::VectorXd& q) noexcept;
   /// Return the latched pose from which the present height, roll and pitch lead to `pose`.
@@ -62,10 +62,10 @@ class BodyMotion {
   // The present pose and its derivatives, in the support frame:
   Vector3 p_base() const noexcept;  ///< [m]
   Quaternion R_base() const noexcept;
-  const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] centre of mass in this pose
-  const Vector3& v_com() const noexcept { return v_com_; }  ///< [m/s]
+  const Vector3& p_com() const noexcept { return p_com_; }   ///< [m] centre of mass in this pose
+  const Vector3& v_com() const noexcept { return v_com_; }   ///< [m/s]
   double v_height() const noexcept { return velocity_[2]; }  ///< [m/s]
-  Vector3 w_base() const noexcept;                          ///< [rad/s]
+  Vector3 w_base() const noexcept;                           ///< [rad/s]
   /// [rad/s^2] Angular acceleration, from the second derivatives of roll, pitch and yaw. Products
   /// of their rates are neglected.
   Vector3 alpha_base() const noexcept;
