@@ -285,6 +285,26 @@ BOOST_FIXTURE_TEST_CASE(missing_forces_fall_back_to_gravity_torques_with_damping
   holds();
 }
 
+// On all four feet the legs in the air would be thrown against the ground.
+BOOST_FIXTURE_TEST_CASE(gravity_torques_of_a_stepping_robot_load_the_stance_feet, MovingRobot) {
+  reference.stepping = true;
+  for (const int leg : {FL_, RR_}) {
+    reference.feet[leg].stance = false;
+    reference.feet[leg].load = 0.0;
+  }
+  reference.p_com.x() = kNaN;
+  BOOST_REQUIRE((compute_fallback() == FallbackLevel::kGravity));
+  double carried = 0.0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const LegDynamics& L = dynamics.legs()[leg];
+    const Vector3 at_foot = L.h_leg - chain.torques().segment<3>(3 * leg);
+    const Vector3 force = L.J_leg.transpose().fullPivLu().solve(at_foot);
+    if (leg == FL_ || leg == RR_) BOOST_TEST(force.norm() < 1e-9);
+    carried += force.z();
+  }
+  BOOST_TEST(carried == robot.mass() * kGravity, boost::test_tools::tolerance(0.01));
+}
+
 BOOST_FIXTURE_TEST_CASE(nan_state_falls_back_to_holding_the_last_torques, MovingRobot) {
   const Vector12 before = (compute_fallback(), chain.torques());
   state.q[8] = kNaN;

@@ -3,8 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "pushed_robot.hpp"
 #include "robot_states.hpp"
 #include "safety/runaway_legs.hpp"
+#include "safety/torque_command.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "tick/controller_access.hpp"
 
@@ -172,6 +174,26 @@ BOOST_AUTO_TEST_CASE(landing_leg_is_not_a_runaway_leg) {
     most = std::max(most, legs.power_rise(Vector12::Constant(10.0), 0));
   }
   BOOST_TEST(most < 90.0 / 4.0);
+}
+
+// The front right leg swings and accelerates, as planned.
+BOOST_AUTO_TEST_CASE(leg_that_the_planner_swings_is_not_limited) {
+  const Robot robot = quadruped();
+  RobotState state = standing_state(robot);
+  Reference reference = reference_at(robot, state);
+  const Vector12 tau = Vector12::Constant(5.0);
+  const auto is_limited = [&](bool stepping) {
+    reference.stepping = stepping;
+    reference.feet[FR_].stance = false;
+    TorqueCommand command(robot, 0.0, 40.0);
+    for (int k = 0; k < 5; ++k) {
+      state.v[robot.motor_to_v()[FR_1]] = 0.6 * k;
+      command.observe_joints(state, kTick);
+    }
+    return command.set_torques(tau, 0.0, dynamics_at(robot, state), state, reference, Gains());
+  };
+  BOOST_TEST(is_limited(false));
+  BOOST_TEST(!is_limited(true));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -20,9 +20,9 @@ constexpr double kReachDownSpeed = 0.23;
 // [sqrt(h/g)] Time constant of the ground's normal: 0.35 s at h = 0.3 m. Chosen: about a period, so
 // that one foot on a step does not tilt the body.
 constexpr double kNormalTime = 2.0;
-// is_at_rest(): largest distance of a foot from its nominal position [h], 2 cm at h = 0.3 m, and
+// is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
-constexpr double kStopDistance = 0.067;
+constexpr double kStopDistance = 0.045;
 constexpr double kStopSpeed = 0.03;
 // [walk_gait_speed] Speed below which a trot may change to a walk. Chosen: a little above the
 // greatest speed of a walk.

@@ -33,6 +33,16 @@ FeetWrench desired_wrench(double mass, const Gains& gains, const Dynamics& dynam
   return feet_wrench(demand, mass, dynamics, state);
 }
 
+// Return the share of its even load that each foot carries in the level kGravity: all feet in a
+// stand. While feet step, the feet that are planned to carry load. In a flight, when no foot is,
+// all feet land.
+Eigen::Vector4d supporting_feet(const Reference& reference) noexcept {
+  Eigen::Vector4d shares = Eigen::Vector4d::Ones();
+  if (!reference.stepping) return shares;
+  for (int leg = 0; leg < kLegs; ++leg) shares[leg] = planned_load(reference.feet[leg]);
+  return shares.sum() > 0.0 ? shares : Eigen::Vector4d::Ones();
+}
+
 FeetWrench wrench_of(const Dynamics& dynamics, const FeetMatrix& forces) noexcept {
   FeetWrench wrench{forces.rowwise().sum(), Vector3::Zero()};
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -87,7 +97,7 @@ FallbackLevel FallbackChain::compute_fallback(const Gains& gains, const Dynamics
   }
   if (has_last_solution_ && try_forces(dynamics, state, last_solution_.forces))
     return FallbackLevel::kLastForces;
-  if (!try_torques(holding_torques(dynamics, mass, unloaded_state_, Eigen::Vector4d::Ones()),
+  if (!try_torques(holding_torques(dynamics, mass, unloaded_state_, supporting_feet(reference)),
                    state)) {
     return FallbackLevel::kHold;
   }

@@ -62,7 +62,7 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   // little torque the robot would fall, and its motors would take several times as much power in
   // the fall. The power protection is then the only limit.
   if (limited_.no_scale_within_limit) limit_power_to(state.contact, kUnlimited);
-  const bool any_leg_limited = limit_runaway_legs(dq);
+  const bool any_leg_limited = limit_runaway_legs(dq, reference);
   if (limited_.scale == 1.0 && !any_leg_limited) return false;
   // The scaled torques contain holding torques, which may exceed the torque that a motor can
   // produce at its speed.
@@ -82,14 +82,16 @@ Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {
 // Limit the torques of runaway legs, even to less than the holding torques: the power of one leg
 // may rise by at most a quarter of the power limit. The rise is extrapolated from the estimated
 // joint velocities of this sample. `dq` may be predicted over the delay, and is used only for the
-// damping torques and limited_.power. Return whether a leg was limited.
-bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
+// damping torques and limited_.power. A leg that the reference swings is meant to accelerate, so it
+// is no runaway leg. Return whether a leg was limited.
+bool TorqueCommand::limit_runaway_legs(const Vector12& dq, const Reference& reference) noexcept {
   const double share = power_limit_ / kLegs;
   const Vector12 total_torque = limited_.torques - damping_ * dq;
   bool any_leg_limited = false;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double power_rise = runaway_legs_.power_rise(total_torque, leg);
-    if (leg == lost_leg_ || !(power_rise > share)) continue;
+    const bool swings = reference.stepping && !reference.feet[leg].stance;
+    if (leg == lost_leg_ || swings || !(power_rise > share)) continue;
     limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= share / power_rise;
     any_leg_limited = true;
   }

@@ -67,7 +67,7 @@ class TorqueCommand {
 
  private:
   Vector12 joint_speeds(const RobotState& state) const noexcept;
-  bool limit_runaway_legs(const Vector12& dq) noexcept;
+  bool limit_runaway_legs(const Vector12& dq, const Reference& reference) noexcept;
 
   Robot robot_;
   double motor_damping_;    // [N.m.s/rad]

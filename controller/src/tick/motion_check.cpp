@@ -29,7 +29,7 @@ constexpr double kTurnTolerance = 0.02;
 // its load changes. The body turns with them, and the legs cannot measure that. Chosen. If smaller:
 // 1 of 128 pushed stands on soles that yield by a quarter of the radius is an alarm at 0.25, none
 // at 0.5. If larger: at 1.0 a b1 with exchanged legs has begun to fall before it is found.
-constexpr double kSoleHeight = 0.75;
+constexpr double kSoleHeight = 0.6;
 // [larger displacement] Difference that is no contradiction. Chosen. Larger than scale errors and
 // delays; smaller than 0.9, a sensor in units of g. 200 healthy starts of
 // benchmarks/sensor_matrix.py reach half of both tolerances.
