@@ -73,6 +73,12 @@ def test_options_reach_the_settings_in_si_units() -> None:
     assert (plant.payload_kg, plant.seed, plant.foot_force) == (1.0, 7, "raw")
 
 
+def test_gait_walk_and_references_reach_the_settings() -> None:
+    settings = settings_of("--gait walk --reference height=-0.02,pitch=5@1")
+    assert settings.gait == Gait.WALK
+    assert [request.offsets for request in settings.references] == [{"height": -0.02, "pitch": 5.0}]
+
+
 def test_json_has_every_field_and_the_limit_of_a_clamped_velocity(capsys, tmp_path) -> None:
     words = "walk --duration 1.3 --velocity 9,0,0@0.1 --velocity 0,0,0.1@0.2 --json"
     assert main([*words.split(), str(tmp_path / "out.json")]) == 0

@@ -39,8 +39,8 @@ def add_walk_options(parser: argparse.ArgumentParser) -> None:
         "--gait",
         default="auto",
         metavar="auto|trot|walk",
-        help="auto: stand at velocity 0, trot otherwise; trot: trot always; walk: stand at velocity "
-        "0, otherwise one foot steps at a time (auto)",
+        help="auto: stand at velocity 0, trot otherwise; trot: trot always; walk: stand at "
+        "velocity 0, step with one foot at a time otherwise (auto)",
     )
     add = parser.add_argument_group("results").add_argument
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")

@@ -8,7 +8,11 @@ from surefoot.reports.summary_field import Field
 from surefoot.stand.summary_fields import FIELDS as STAND_FIELDS
 
 _WALK_CONDITIONS = (
-    ("gait", "", "auto: stand at velocity 0, trot otherwise; trot; walk: like auto, one foot at a time"),
+    (
+        "gait",
+        "",
+        "auto: stand at velocity 0, trot otherwise; trot; walk: like auto, one foot at a time",
+    ),
     ("walking_sensors", "", "true: real sensors with the errors that walking adds"),
     ("soft_soles", "", "true: soft soles, false: rigid ones"),
     ("leg_collisions", "", "true: legs collide even where the SRDF disables it"),
