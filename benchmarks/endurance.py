@@ -121,7 +121,7 @@ class DriftMonitor:
 
 def estimated_tilt_error(plant: Plant, supervisor: surefoot.Supervisor) -> float:
     """Return the angle [deg] between the estimated and the true vertical."""
-    q = supervisor.stand_controller.state.q
+    q = supervisor.controller.state.q
     estimated, true = np.roll(q[3:7], 1), plant.data.qpos[3:7]
     return angle_deg(matrix_from_wxyz(estimated)[2], matrix_from_wxyz(true)[2])
 
@@ -155,8 +155,8 @@ def run_endurance(
         monitor.wraps += tick < previous_tick
         previous_tick = tick
         state = plant.step(supervisor.update(state))
-        monitor.failed_ticks += supervisor.stand_controller.status != Status.OK
-        monitor.fallback_ticks += supervisor.stand_controller.fallback_level != FallbackLevel.SOLVED
+        monitor.failed_ticks += supervisor.controller.status != Status.OK
+        monitor.fallback_ticks += supervisor.controller.fallback_level != FallbackLevel.SOLVED
         if k == round(SETTLE_TIME / CONTROL_PERIOD):
             start, monitor.memory_start = Pose.of(plant), resident_mb()
         elif k * CONTROL_PERIOD > SETTLE_TIME and k % DRIFT_TICKS == 0:

@@ -85,7 +85,7 @@ class LiftRun:
 
     def verdict(self) -> str:
         """Return why the robot does not stand at the end, or "" if it stands."""
-        truth, status = self.plant.truth, self.supervisor.stand_controller.status
+        truth, status = self.plant.truth, self.supervisor.controller.status
         if status != Status.OK or np.abs(truth.v).max() > MAX_STILL_SPEED:
             return f"does not stand still: {status.name}, {np.abs(truth.v).max():.2f}"
         if not np.all(truth.contact):

@@ -83,9 +83,9 @@ def get_up(robot: MonitoredRobot) -> tuple[str, float]:
         return f"{supervisor.mode}, {supervisor.damping_fault}; {contacts_text(robot)}", seconds
     robot.run(STAND_TIME)
     truth = robot.plant.truth
-    stands = supervisor.mode == Mode.STAND and supervisor.stand_controller.status == Status.OK
+    stands = supervisor.mode == Mode.STAND and supervisor.controller.status == Status.OK
     if not stands or truth.fell or np.abs(truth.v[:6]).max() > MAX_STILL_SPEED:
-        return f"does not stand: {supervisor.mode}, {supervisor.stand_controller.status}", seconds
+        return f"does not stand: {supervisor.mode}, {supervisor.controller.status}", seconds
     return "", seconds
 
 

@@ -24,8 +24,8 @@ import mujoco
 from surefoot import load_robot
 from surefoot.robot.gain_files import gain_values
 from surefoot.sim import PlantSettings
-from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.rollout import TrialJob, cached_plant, evaluate_exclusively
+from surefoot.tune.search.stand_episode import StandEpisode
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
@@ -53,7 +53,7 @@ def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
     """Return the figures, as medians over rounds."""
     job = TrialJob(
         gain_values(load_robot(robot).config.gains),
-        tuple(Episode(robot, seed, PlantSettings()) for seed in range(EPISODE_COUNT)),
+        tuple(StandEpisode(robot, seed, PlantSettings()) for seed in range(EPISODE_COUNT)),
         ("balance",),
     )
     evaluate_exclusively(job)  # fill the cache of plants before timing

@@ -108,6 +108,11 @@ void bind_state_estimator(nb::module_& m) {
            "    IMPLAUSIBLE if the state is unchanged. DIVERGED if no motion explains the\n"
            "    samples; the estimator then starts again with the next sample. A finite\n"
            "    quaternion that is not of unit length only changes its verdict in report.")
+      .def("set_stepping", &StateEstimator::set_stepping, "stepping"_a,
+           "Set whether a planner lets feet step; initially False. Real-time: yes.\n\n"
+           "Impacts of feet vibrate in the IMU: its noise is then assumed instead of measured, no\n"
+           "push is estimated from it, and the payload stays as it was. A foot that slipped is\n"
+           "trusted again after its next touchdown.")
       .def_prop_ro(
           "state", [](const StateEstimator& e) { return RobotState(e.state()); },
           "State after the last processed sample, a copy.")

@@ -39,7 +39,8 @@ void bind_snapshot(nb::module_& m) {
           "- waiting: the runner sends damping until the first valid LowState arrives\n"
           "- passive: the motors damp until request(Mode.RISE)\n"
           "- rising: the robot rises\n"
-          "- standing: the StandController is in control\n"
+          "- standing: the robot stands\n"
+          "- walking: the robot walks, or stands at velocity 0, ready to walk\n"
           "- sitting: the robot sits down\n"
           "- damping: damping is latched, the motors damp until arm()\n"
           "- ended: the run ends after 0.2 s of damping commands")
@@ -128,6 +129,18 @@ void bind_snapshot(nb::module_& m) {
               "order is FR FL RR RL, each x y z.")
       .def_ro("contact", &RunSnapshot::contact,
               "Contact confidence 0 .. 1, 4 numbers, FR FL RR RL.")
+      .def_ro("commanded_velocity", &RunSnapshot::commanded_velocity,
+              "WalkVelocity that is commanded, clamped; 0 after the timeout.")
+      .def_ro("reference_velocity", &RunSnapshot::reference_velocity,
+              "WalkVelocity of the reference, which approaches commanded_velocity.")
+      .def_ro("velocity_limit", &RunSnapshot::velocity_limit, "WalkLimit of the last velocity.")
+      .def_ro("gait", &RunSnapshot::gait, "Gait of the mode WALK.")
+      .def_ro("stopping", &RunSnapshot::stopping,
+              "True while a robot that walked or stepped stops.")
+      .def_ro("start_presses", &RunSnapshot::start_presses,
+              "Number of times that START of the remote was pressed.")
+      .def_ro("start_answer", &RunSnapshot::start_answer,
+              "RequestStatus of the request of the last press of START.")
       .def_ro("position_error", &RunSnapshot::position_error,
               "Distance between the base origin and its reference position [m].")
       .def_ro("orientation_error", &RunSnapshot::orientation_error,
@@ -187,7 +200,8 @@ void bind_runner(nb::module_& m) {
           [](RunOptions* o, FieldArgument<double> rate, FieldArgument<double> duration,
              FieldArgument<int> power_level, FieldArgument<bool> remote,
              FieldArgument<double> connect_timeout, FieldArgument<Start> start,
-             FieldArgument<double> operator_timeout, FieldArgument<double> log_time) {
+             FieldArgument<double> operator_timeout, FieldArgument<double> velocity_timeout,
+             FieldArgument<double> log_time) {
             constexpr const char* kType = "RunOptions";
             new (o) RunOptions{rate.to(kType, "rate"),
                                duration.to(kType, "duration"),
@@ -196,12 +210,14 @@ void bind_runner(nb::module_& m) {
                                connect_timeout.to(kType, "connect_timeout"),
                                start.to(kType, "start"),
                                operator_timeout.to(kType, "operator_timeout"),
+                               velocity_timeout.to(kType, "velocity_timeout"),
                                log_time.to(kType, "log_time")};
           },
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
           "power_level"_a = 1, "remote"_a = true, "connect_timeout"_a = 5.0,
           "start"_a = Start::kStanding,
-          "operator_timeout"_a = std::numeric_limits<double>::infinity(), "log_time"_a = 0.0,
+          "operator_timeout"_a = std::numeric_limits<double>::infinity(),
+          "velocity_timeout"_a = 0.5, "log_time"_a = 0.0,
           "Create options; the arguments are the attributes.")
       .def_rw("rate", &RunOptions::rate, "Rate of the control loop [Hz], 100 .. 1000.")
       .def_rw("duration", &RunOptions::duration,
@@ -211,7 +227,9 @@ void bind_runner(nb::module_& m) {
               "Level of Safety.power_protect(), 1 .. 10. 0 switches the protection off (start\n"
               "STANDING only).")
       .def_rw("remote", &RunOptions::remote,
-              "True if the sticks of the remote move the body and button B damps.")
+              "True if the remote is used.\n\n"
+              "Its sticks move the body of a standing robot and give the velocity of a walking\n"
+              "one, START begins and ends a walk, and button B damps.")
       .def_rw("connect_timeout", &RunOptions::connect_timeout,
               "Longest wait for the first valid LowState [s].")
       .def_rw("start", &RunOptions::start,
@@ -222,6 +240,8 @@ void bind_runner(nb::module_& m) {
               "Time without heartbeat() after which the robot sits down [s], at least 0.01.\n\n"
               "inf: no operator is needed. Call heartbeat() from a thread other than that of\n"
               "run().")
+      .def_rw("velocity_timeout", &RunOptions::velocity_timeout,
+              "See WalkOptions.velocity_timeout [s].")
       .def_rw("log_time", &RunOptions::log_time,
               "Length of the history that log() returns [s], 0 .. 600. One tick takes 1.7 kB.");
   nb::class_<Runner>(
@@ -281,8 +301,8 @@ void bind_runner(nb::module_& m) {
       .def("arm", &Runner::arm,
            "Arm the robot, see Supervisor.arm(). From any thread. Returns the RequestStatus.")
       .def("finish", &Runner::finish,
-           "End the run. With RunOptions.start LYING the robot first sits down; with\n"
-           "STANDING, this is stop(). From any thread.")
+           "End the run. With RunOptions.start LYING the robot first sits down. With STANDING\n"
+           "a walking robot first stops; then this is stop(). From any thread.")
       .def("stop", &Runner::stop, "Damp and end the run. From any thread.")
       .def("damp", &Runner::damp, "Latch damping; the run continues. From any thread.")
       .def("heartbeat", &Runner::heartbeat,
@@ -299,6 +319,12 @@ void bind_runner(nb::module_& m) {
            "The target takes effect in the next tick, while the robot stands. The sticks of\n"
            "the remote add to the target. It is cleared when the robot stands up again. From\n"
            "any thread.")
+      .def("set_velocity", &Runner::set_velocity, "velocity"_a,
+           "Set the velocity of a walking robot, see Supervisor.set_velocity().\n\n"
+           "It takes effect in the next tick, and is 0 after RunOptions.velocity_timeout. The\n"
+           "sticks of the remote add to it. From any thread.")
+      .def("set_gait", &Runner::set_gait, "gait"_a,
+           "Set the gait, see Supervisor.set_gait(). From any thread.")
       .def("log", &Runner::log, nb::rv_policy::reference_internal,
            "Return the log of the last RunOptions.log_time seconds; not a copy.\n\n"
            "The log begins with the first LowState. It stops 5 s (at most log_time / 2)\n"

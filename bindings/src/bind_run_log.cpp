@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nanobind/ndarray.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -76,6 +77,27 @@ void bind_run_log(nb::module_& m) {
           },
           nb::rv_policy::automatic,
           "FaultId for which damping was last latched, as an integer, shape (n,).")
+      .def_prop_ro(
+          "velocity",
+          [](const RunLog& log) {
+            auto* data = new double[3 * log.size()];
+            const nb::capsule owner = owner_of(data);
+            for (std::size_t k = 0; k < log.size(); ++k) {
+              const WalkVelocity v =
+                  log[k].has_velocity ? log[k].velocity : WalkVelocity{NAN, NAN, NAN};
+              data[3 * k] = v.vx, data[3 * k + 1] = v.vy, data[3 * k + 2] = v.yaw_rate;
+            }
+            return nb::ndarray<nb::numpy, double, nb::ndim<2>>(data, {log.size(), 3}, owner);
+          },
+          nb::rv_policy::automatic,
+          "Argument of Supervisor.set_velocity() before the tick: vx, vy [m/s], yaw rate [rad/s],\n"
+          "shape (n, 3); NaN: no call.")
+      .def_prop_ro(
+          "gait",
+          [](const RunLog& log) {
+            return column<std::int64_t>(log, [](const RunTick& t) { return t.gait; });
+          },
+          nb::rv_policy::automatic, "Gait of the mode WALK, as an integer, shape (n,).")
       .def_prop_ro(
           "samples", [](const RunLog& log) { return bytes(log, &RunTick::state); },
           nb::rv_policy::automatic,

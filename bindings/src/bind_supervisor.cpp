@@ -26,7 +26,9 @@ void bind_enums(nb::module_& m) {
       .value("PASSIVE", Mode::kPassive,
              "The motors damp. This is the first mode, and the mode after sitting down.")
       .value("RISE", Mode::kRise, "The robot rises from lying to standing.")
-      .value("STAND", Mode::kStand, "The StandController is in control.")
+      .value("STAND", Mode::kStand, "The robot stands, and steps only to keep its balance.")
+      .value("WALK", Mode::kWalk,
+             "The robot follows Supervisor.set_velocity(); at velocity 0 it stands.")
       .value("SIT", Mode::kSit, "The robot sits down. Request this mode also to abort a rise.")
       .value("DAMPING", Mode::kDamping,
              "The motors damp until arm(), the only way to leave this mode.");
@@ -64,12 +66,16 @@ void bind_enums(nb::module_& m) {
       .value("NOT_ARMED", RequestStatus::kNotArmed, "The robot is not armed; call arm() first.")
       .value("NOT_READY", RequestStatus::kNotReady,
              "An arming check fails, or has not passed for SupervisorOptions.arming_time yet,\n"
-             "or a fault keeps the robot down; see Supervisor.arming.")
+             "or a fault keeps the robot down; see Supervisor.arming. For WALK: a fault that\n"
+             "makes a walking robot stop is active; see Supervisor.faults.")
       .value("LATCHED", RequestStatus::kLatched, "Damping is latched; call arm() first.")
       .value("OUT_OF_ORDER", RequestStatus::kOutOfOrder,
              "The present mode does not allow this request, see Supervisor.request().")
       .value("BUSY", RequestStatus::kBusy,
-             "Another request or a stop is pending, or torques fade between two modes.");
+             "Another request or a stop is pending, torques fade between two modes, or the robot\n"
+             "stops walking.")
+      .value("CANNOT_WALK", RequestStatus::kCannotWalk,
+             "The motors cannot carry the robot on two feet, see WalkController.can_walk.");
 }
 
 void bind_faults(nb::module_& m) {
@@ -81,6 +87,7 @@ void bind_faults(nb::module_& m) {
              "The robot continues with the remaining sensors, contacts or legs.")
       .value("SIT", FaultReaction::kSit,
              "The robot sits down and does not rise while the fault lasts.\n\n"
+             "A robot that walks stops on four feet first, within 1.5 s.\n\n"
              "If only a standing robot can detect the fault, the robot does not rise again\n"
              "until arm() is called.")
       .value("DAMP", FaultReaction::kDamp, "The motors damp until arm().");
@@ -105,6 +112,18 @@ void bind_faults(nb::module_& m) {
       .def_prop_ro(
           "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
           "How the fault is detected and how the supervisor reacts, a sentence.")
+      .def_prop_ro(
+          "while_stepping", [](const FaultInfo& info) { return std::string(info.while_stepping); },
+          "What differs while the feet step; empty: nothing.")
+      .def_prop_ro(
+          "stepping_detection_time",
+          [](const FaultInfo& info) {
+            return info.stepping_detection_time > 0.0 ? info.stepping_detection_time
+                                                      : info.detection_time;
+          },
+          "detection_time while the feet step [s].")
+      .def_ro("stops_walking", &FaultInfo::stops_walking,
+              "True if a robot that walks stops and stands, and WALK is refused.")
       .def("__repr__", [](const FaultInfo& info) {
         return "FaultInfo(name='" + std::string(to_string(info.id)) + "', reaction='" +
                to_string(info.reaction) + "')";
@@ -244,7 +263,8 @@ void bind_supervisor_class(nb::module_& m) {
              FieldArgument<double> temperature_stop, FieldArgument<double> battery_low,
              FieldArgument<double> payload_limit, FieldArgument<double> operator_timeout,
              FieldArgument<double> joint_margin, FieldArgument<ControllerOptions> stand,
-             FieldArgument<Start> start, FieldArgument<bool> remote) {
+             FieldArgument<double> velocity_timeout, FieldArgument<Start> start,
+             FieldArgument<bool> remote) {
             constexpr const char* kType = "SupervisorOptions";
             new (self) SupervisorOptions{power_level.to(kType, "power_level"),
                                          arming_time.to(kType, "arming_time"),
@@ -255,14 +275,16 @@ void bind_supervisor_class(nb::module_& m) {
                                          operator_timeout.to(kType, "operator_timeout"),
                                          joint_margin.to(kType, "joint_margin"),
                                          stand.to(kType, "stand"),
+                                         velocity_timeout.to(kType, "velocity_timeout"),
                                          start.to(kType, "start"),
                                          remote.to(kType, "remote")};
           },
           nb::kw_only(), "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
           "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,
           "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15,
-          "stand"_a = ControllerOptions(), "start"_a = Start::kLying, "remote"_a = true,
-          "Create options; the arguments are the attributes.")
+          "stand"_a = ControllerOptions(),
+          "velocity_timeout"_a = SupervisorOptions().velocity_timeout, "start"_a = Start::kLying,
+          "remote"_a = true, "Create options; the arguments are the attributes.")
       .def_rw("power_level", &SupervisorOptions::power_level,
               "Level of Safety.power_protect(), 1 .. 10, which trips at 100 W times the level.\n\n"
               "Rises and descents are planned for half of this power. While the robot stands,\n"
@@ -288,14 +310,16 @@ void bind_supervisor_class(nb::module_& m) {
               "fault joint_stop.\n\n"
               "Negative: distance by which joints may exceed their limits. A fully folded calf\n"
               "rests on its stop, beyond the limits.")
-      .def_rw("stand", &SupervisorOptions::stand, "Options of the StandController.")
+      .def_rw("stand", &SupervisorOptions::stand, "Options of the controller's tick.")
+      .def_rw("velocity_timeout", &SupervisorOptions::velocity_timeout,
+              "See WalkOptions.velocity_timeout [s].")
       .def_rw("start", &SupervisorOptions::start, "State of the robot at the first sample.")
       .def_rw("remote", &SupervisorOptions::remote,
               "True if button B on the remote stops the robot.");
   nb::class_<Supervisor>(
       m, "Supervisor",
-      "Controller that takes a robot from lying to standing and back: LowState in,\n"
-      "LowCmd out.\n\n"
+      "Controller that takes a robot from lying to standing and back, and lets it walk:\n"
+      "LowState in, LowCmd out.\n\n"
       "The supervisor checks the robot before arming, refuses requests that the present\n"
       "mode does not allow, detects faults, and stops on request.\n\n"
       "Rising. First the legs fold from any pose, feet beside the body and knees up.\n"
@@ -310,11 +334,17 @@ void bind_supervisor_class(nb::module_& m) {
       "faults WIRING and WRONG_ROBOT. The speed is limited: the holding torques may\n"
       "take at most half of the power of power_level. Sitting down follows the same\n"
       "path backwards.\n\n"
+      "Walking. In the mode WALK the robot follows set_velocity(), and stands at velocity\n"
+      "0. It returns to STAND on request(STAND), when the velocity has expired, or for a\n"
+      "fault that stops walking. Before it stands or sits down, it stops on four feet. If\n"
+      "it has not stopped within 1.5 s, it sits down all the same. stop() and faults that\n"
+      "damp act at once, in any phase of the gait.\n\n"
       "Torques fade between modes within 0.25 s; damping after a stop or a fault starts\n"
       "at once. fault_table() lists the faults and the reactions to them.\n\n"
       "Threads: update(), update_without_state(), report_link_lost(), count_samples(),\n"
-      "set_gains(), set_body_reference(), stand_controller, command_is_fresh and\n"
-      "measured_power belong to one thread. All other functions may be called from any\n"
+      "set_gains(), set_body_reference(), set_velocity(), gait, controller,\n"
+      "command_is_fresh and measured_power belong to one thread. All other functions may be called "
+      "from any\n"
       "thread. No function takes a lock.")
       .def(
           "__init__",
@@ -367,8 +397,9 @@ void bind_supervisor_class(nb::module_& m) {
            "        counted as missing arrived later.")
       .def("request", &Supervisor::request, "mode"_a,
            "Request a mode. Returns the RequestStatus.\n\n"
-           "Allowed requests: RISE from PASSIVE; SIT from RISE or STAND; STAND from SIT, to\n"
-           "stand up again. Any thread. Real-time: yes.")
+           "Allowed requests: RISE from PASSIVE; SIT from RISE, STAND or WALK; STAND from SIT,\n"
+           "to stand up again, and from WALK, to stop; WALK from STAND. A robot that walks\n"
+           "stops before it changes its mode. Any thread. Real-time: yes.")
       .def("arm", &Supervisor::arm,
            "Arm the robot. Returns the RequestStatus.\n\n"
            "An armed robot accepts requests. Latched damping changes to PASSIVE, and a lost\n"
@@ -412,9 +443,18 @@ void bind_supervisor_class(nb::module_& m) {
       .def("set_body_reference", &Supervisor::set_body_reference, "target"_a,
            "Set the target pose of the body while standing, see\n"
            "StandController.set_body_reference().")
-      .def_prop_ro("stand_controller", &Supervisor::stand_controller,
-                   nb::rv_policy::reference_internal,
-                   "The StandController, not a copy; only for reading.");
+      .def("set_velocity", &Supervisor::set_velocity, "velocity"_a,
+           "Set the WalkVelocity, see WalkController.set_velocity().\n\n"
+           "Ignored unless the mode is WALK, and while the robot stops. Call it more often\n"
+           "than SupervisorOptions.velocity_timeout. Real-time: yes.")
+      .def_prop_rw("gait", &Supervisor::gait, &Supervisor::set_gait,
+                   "Gait of the mode WALK; initially Gait.AUTO.")
+      .def_prop_ro("stopping", &Supervisor::stopping,
+                   "True while a robot that walked or stepped stops, before it stands or sits\n"
+                   "down.")
+      .def_prop_ro("controller", &Supervisor::controller, nb::rv_policy::reference_internal,
+                   "The WalkController of a robot that stands or walks, not a copy; only for\n"
+                   "reading.");
 }
 
 }  // namespace

@@ -36,6 +36,8 @@ void bind_velocity(nb::module_& m) {
              "vy: gain walk_speed_sideways; walk: walk_gait_speed.")
       .value("TURN", WalkLimit::kTurn,
              "yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed.")
+      .value("POWER", WalkLimit::kPower,
+             "All: the power that ControllerOptions.power_limit allows.")
       .value("NOT_FINITE", WalkLimit::kNotFinite,
              "The command has a NaN or an infinity; the previous one stays in force.");
   nb::enum_<Gait>(m, "Gait", "What a WalkController does.")
@@ -81,8 +83,8 @@ void bind_walk_controller(nb::module_& m) {
           },
           "robot"_a, "gains"_a.none() = nb::none(), "options"_a = WalkOptions(),
           "Create a controller for a robot.\n\n"
-          "Raises Error if the robot does not have twelve joints on a free base, or if a gain\n"
-          "or an option is invalid.\n\n"
+          "Raises Error if the robot does not have twelve joints on a free base, if it cannot\n"
+          "walk (see can_walk), or if a gain or an option is invalid.\n\n"
           "Args:\n"
           "    robot: The robot.\n"
           "    gains: Gains; None: those of the robot.\n"
@@ -102,6 +104,13 @@ void bind_walk_controller(nb::module_& m) {
       .def_prop_rw("gait", &WalkController::gait, &WalkController::set_gait,
                    "Gait; a change is in force from the next tick on.")
       .def_prop_ro("walking", &WalkController::walking, "Whether the last tick planned steps.")
+      .def_prop_ro("velocity_expired", &WalkController::velocity_expired,
+                   "Whether the last velocity is older than WalkOptions.velocity_timeout, or none\n"
+                   "was set since reset().")
+      .def_prop_ro("can_walk", &WalkController::can_walk,
+                   "Whether the motors can carry the robot in the standing pose on two diagonal\n"
+                   "feet, with at most 0.8 of their torque limits.\n\n"
+                   "Only a Supervisor has a WalkController for a robot that cannot walk.")
       .def_prop_ro("footholds", &WalkController::footholds,
                    "Footholds FR FL RR RL, world frame of state [m], shape (3, 4): where each\n"
                    "foot lands or has landed.")

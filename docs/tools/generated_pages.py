@@ -60,15 +60,30 @@ def _faults() -> list[str]:
             info.reaction.name.lower(),
             f"{info.detection_time:g}",
             _cell(info.cleared_by),
+            _cell(_while_stepping(info)),
         )
         for info in surefoot.fault_table()
     ]
-    header = ("fault", "meaning", "reaction", "detected within [s]", "cleared by")
+    header = (
+        "fault",
+        "meaning",
+        "reaction",
+        "detected within [s]",
+        "cleared by",
+        "while the feet step",
+    )
     intro = (
         "All faults that the supervisor reports: `surefoot.fault_table()`, or "
         "`surefoot faults --names`."
     )
     return ["# Faults", "", intro, "", *_table(header, rows)]
+
+
+def _while_stepping(info: surefoot.FaultInfo) -> str:
+    text: str = info.while_stepping
+    if info.stepping_detection_time != info.detection_time:
+        text += f" (within {info.stepping_detection_time:g} s)"
+    return text
 
 
 def _statuses() -> list[str]:

@@ -26,7 +26,6 @@ from surefoot.assess import (
     run_assess,
 )
 from surefoot.assess.condition_plant import plant_of
-from surefoot.assess.controller_under_test import BUILT_IN_CONTROLLERS
 from surefoot.assess.push_limits import PushLimits
 from surefoot.assess.push_outcome import PushOutcome, judge_push
 from surefoot.assess.rollout import roll_out
@@ -265,7 +264,7 @@ def test_callable_controller_gets_the_same_run_as_the_built_in() -> None:
     assert judge_push(built_in, LEVEL_GROUND.quiet_s, 0.1).in_place
 
 
-@pytest.mark.parametrize("name", BUILT_IN_CONTROLLERS)
+@pytest.mark.parametrize("name", ControllerUnderTest().built_in)
 @pytest.mark.parametrize("robot", ["go1", "b1"])
 def test_built_in_controllers_stand_and_survive_a_60_percent_push(robot: str, name: str) -> None:
     stood = run_unit(StandUnit(LEVEL_GROUND, 0.0, 1), robot, ControllerUnderTest(name))

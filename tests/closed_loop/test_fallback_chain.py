@@ -127,7 +127,7 @@ def test_supervisor_reports_solve_failures_and_damps_when_they_last() -> None:
     plant, task = Plant("go1"), FailingTask()
     options = surefoot.SupervisorOptions(start=surefoot.Start.STANDING)
     supervisor = surefoot.Supervisor(plant.robot, options=options)
-    supervisor.stand_controller.add_task(task)
+    supervisor.controller.add_task(task)
     report = plant.reset()
     for k in range(600):
         task.outputs_nan = k >= 100 and k % 100 < 3
@@ -154,7 +154,7 @@ def test_qp_that_never_solves_damps_within_20_ms(
     supervisor = surefoot.Supervisor(
         plant.robot, options=surefoot.SupervisorOptions(start=start, power_level=1)
     )
-    supervisor.stand_controller.add_task(task)
+    supervisor.controller.add_task(task)
     task.outputs_nan = True
     standing = start == surefoot.Start.STANDING
     report = plant.reset() if standing else plant.reset_lying(np.random.default_rng(3))

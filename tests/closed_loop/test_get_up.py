@@ -33,7 +33,7 @@ def test_lying_robot_gets_up_stands_and_lies_down_within_the_power_level(
     robot.run(1.5)
     truth = robot.plant.truth
     assert not truth.fell
-    assert robot.supervisor.stand_controller.status == surefoot.Status.OK
+    assert robot.supervisor.controller.status == surefoot.Status.OK
     assert np.abs(truth.v).max() < 0.05
     assert np.abs(robot.plant.data.qpos[7:] - robot.plant.robot.q_standing()[7:]).max() < 0.2
     robot.request(Mode.SIT)
@@ -88,7 +88,7 @@ def test_crouching_or_standing_robot_rises_without_folding(name: str, height: fl
     robot.run(1.5)
     assert lowest[0] > 0.75 * before
     assert robot.supervisor.mode == Mode.STAND
-    assert robot.supervisor.stand_controller.status == surefoot.Status.OK
+    assert robot.supervisor.controller.status == surefoot.Status.OK
     assert np.abs(robot.plant.truth.v).max() < 0.05
     assert robot.protection_trips == 0
     assert robot.torque_step_at_mode_change < 0.05
@@ -238,7 +238,7 @@ class FailingTask(surefoot.Task):
 
 def test_failed_controller_restarts_after_arming() -> None:
     robot, failing_task = MonitoredRobot("go1", 1), FailingTask()
-    robot.supervisor.stand_controller.add_task(failing_task)
+    robot.supervisor.controller.add_task(failing_task)
     robot.arm()
     robot.request(Mode.RISE)
     assert robot.reaches(Mode.STAND, 12.0)

@@ -61,13 +61,13 @@ def test_robot_with_a_dead_motor_stands_on_three_legs(robot: str, motor: int) ->
     scene.run_for(4.0)
     assert scene.supervisor.mode == Mode.STAND
     assert scene.has(FaultId.LEG_LOST) and not scene.has(FaultId.MOTOR_MODE)
-    assert scene.supervisor.stand_controller.lost_leg == motor // 3
+    assert scene.supervisor.controller.lost_leg == motor // 3
     assert scene.supervisor.faults.motor(FaultId.LEG_LOST) == motor
     assert abs(scene.sinking_distance()) < 0.03
     assert np.abs(scene.plant.truth.v[:6]).max() < 0.03
     others = [leg for leg in range(4) if leg != motor // 3]
     assert scene.plant.truth.contact[others].all()
-    assert scene.supervisor.stand_controller.capture_margin_without(motor // 3) > 0.02
+    assert scene.supervisor.controller.capture_margin_without(motor // 3) > 0.02
 
 
 class SilentLeg:
@@ -122,7 +122,7 @@ def test_support_margin_is_nan_for_invalid_legs_and_inf_after_a_loss() -> None:
     stand = surefoot.StandController(surefoot.load_robot("go1"))
     assert np.isnan(stand.capture_margin_without(0))  # no sample yet
     scene = Standing("go1")
-    stand = scene.supervisor.stand_controller
+    stand = scene.supervisor.controller
     assert all(np.isnan(stand.capture_margin_without(leg)) for leg in (-1, 4))
     assert all(abs(stand.capture_margin_without(leg)) < 0.05 for leg in range(4))
     stand.declare_leg_lost(7)
@@ -150,7 +150,7 @@ def test_lost_leg_gets_damping_without_torque() -> None:
 @pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
 def test_robot_leaning_on_the_dead_leg_comes_down_slowly(robot: str) -> None:
     scene = Standing(robot, lean=(-0.03, 0.02))  # to the rear left
-    assert scene.supervisor.stand_controller.capture_margin_without(3) < -0.02
+    assert scene.supervisor.controller.capture_margin_without(3) < -0.02
     scene.kill_motor(11)
     scene.run_for(2.0)
     assert scene.supervisor.mode == Mode.DAMPING
@@ -189,7 +189,7 @@ def test_recovered_motor_does_not_restore_the_leg() -> None:
     scene.run_for(1.0)
     assert scene.supervisor.mode == Mode.STAND
     assert scene.has(FaultId.LEG_LOST)
-    assert scene.supervisor.stand_controller.lost_leg == 1
+    assert scene.supervisor.controller.lost_leg == 1
 
 
 def test_repaired_robot_can_be_armed_and_rises_on_four_legs() -> None:
@@ -200,7 +200,7 @@ def test_repaired_robot_can_be_armed_and_rises_on_four_legs() -> None:
     robot.run(1.0)
     robot.faults = [DeadMotor(5, OVERHEATED_MODE)]
     robot.run(1.0)
-    assert robot.supervisor.stand_controller.lost_leg == 1
+    assert robot.supervisor.controller.lost_leg == 1
     robot.request(Mode.SIT)
     assert robot.reaches(Mode.DAMPING, 8.0)
     robot.run(2.0)
@@ -208,7 +208,7 @@ def test_repaired_robot_can_be_armed_and_rises_on_four_legs() -> None:
     assert robot.supervisor.arm() == RequestStatus.NOT_READY
     robot.faults = []
     robot.arm()
-    assert robot.supervisor.stand_controller.lost_leg == -1
+    assert robot.supervisor.controller.lost_leg == -1
     assert FaultId.LEG_LOST not in robot.supervisor.faults.active
     robot.request(Mode.RISE)
     assert robot.reaches(Mode.STAND, 12.0)

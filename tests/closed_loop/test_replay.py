@@ -16,7 +16,16 @@ import numpy as np
 import pytest
 import surefoot
 from plant_helpers import ROBOTS
-from surefoot import BodyReference, ControllerOptions, Mode, RequestStatus, SupervisorOptions
+from surefoot import (
+    BodyReference,
+    ControllerOptions,
+    Gait,
+    Mode,
+    RequestStatus,
+    Start,
+    SupervisorOptions,
+    WalkVelocity,
+)
 from surefoot.cli import main
 from surefoot.estimate import read_log
 from surefoot.messages.low_cmd_layout import LOW_CMD
@@ -77,6 +86,27 @@ def supervised(robot: str) -> Recording:
     return recorder.recording()
 
 
+@cache
+def walked(robot: str) -> Recording:
+    """Record a supervised walk: velocities, a change of the gait, a stop."""
+    plant = Plant(robot, PlantSettings(walking_sensors=True, soft_soles=True, seed=3))
+    options = SupervisorOptions(power_level=10, start=Start.STANDING)
+    recorder = Recorder(plant.robot, options)
+    state = plant.reset()
+    for k in range(1500):
+        if k == 250:
+            recorder.call("request", Mode.WALK)
+        if k == 700:
+            recorder.call("gait", Gait.TROT)
+        if k == 1100:
+            recorder.call("request", Mode.STAND)
+        if 250 < k < 1100 and k % 20 == 0:
+            recorder.call("set_velocity", WalkVelocity(0.3 if k < 700 else 0.0, 0.0, 0.2))
+        state = plant.step(recorder.update(state))
+    assert recorder.controller.mode == Mode.STAND
+    return recorder.recording()
+
+
 def same_bytes(recording: Recording) -> None:
     result = play(recording, surefoot.load_robot(recording.robot))
     assert result.first is None and result.differing == 0 and result.same_build
@@ -99,6 +129,10 @@ def test_new_supervisor_replays_the_same_commands_from_lying(robot: str) -> None
     same_bytes(recording)
 
 
+def test_new_supervisor_replays_the_same_commands_of_a_walk() -> None:
+    same_bytes(walked("go1"))
+
+
 @pytest.mark.parametrize("make", [stood, supervised])
 def test_another_process_gives_the_same_commands(tmp_path: Path, make) -> None:
     recording = make("go1")
@@ -108,7 +142,7 @@ def test_another_process_gives_the_same_commands(tmp_path: Path, make) -> None:
     assert told == {hashlib.sha256(recording.commands.tobytes()).hexdigest().encode() + b"\n"}
 
 
-@pytest.mark.parametrize("make", [stood, supervised])
+@pytest.mark.parametrize("make", [stood, supervised, walked])
 def test_recording_file_round_trips_all_fields(tmp_path: Path, make) -> None:
     recording = make("go1")
     write_recording(tmp_path / "run.npz", recording)

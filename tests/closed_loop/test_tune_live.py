@@ -30,10 +30,12 @@ from surefoot.tune.live.metric_curves import BUCKET_TIME, Curves, TickMetrics
 from surefoot.tune.live.page import Page
 from surefoot.tune.live.push_cost import push_cost
 from surefoot.tune.live.robot_mesh import body_meshes
+from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.server import close_server, open_server
 from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.slider_range import slider_range
+from surefoot.tune.live.treadmill import Treadmill
 from surefoot.tune.live.udp_session import UdpSession
 from surefoot.tune.live.world import World
 from virtual_robot_helpers import start_robot
@@ -154,6 +156,64 @@ def test_reference_sliders_move_the_body() -> None:
     session.set_reference({"height": -0.03, "roll": 5.0})
     run(session, 2.0)
     assert session.plant.truth.q[2] - before == pytest.approx(-0.03, abs=0.003)
+
+
+def test_walking_robot_follows_its_velocity_and_shows_its_errors() -> None:
+    session = simulation()
+    run(session, 0.5)
+    session.set_velocity(surefoot.WalkVelocity(0.5, 0.0, 0.3))
+    run(session, 4.0)
+    rms = session.walk_figures.rms
+    assert session.healthy and "walking" in session.status and rms is not None
+    assert np.all(rms < [0.05, 0.05, 0.1, 2.0, 2.0])  # [m/s, m/s, rad/s, deg, deg]
+    assert "Command 0.50, 0.00 m/s, 0.30 rad/s" in session.walk_figures.text()
+    assert session.curves.arrays()[1].max() < 80.0  # [mm] the reference walks too
+    session.push(90.0, 20.0)
+    assert session.score.seconds_left == 0.0  # the cost of a push is that of a stand
+
+
+def test_unattended_robot_stops_and_restart_stands() -> None:
+    session = simulation()
+    session.set_velocity(surefoot.WalkVelocity(0.4, 0.0, 0.0))
+    run(session, 1.5)
+    assert session.controller.walking
+    session.attended = False
+    run(session, 2.5)
+    assert not session.controller.walking and session.healthy
+    session.attended = True
+    run(session, 1.0)
+    assert session.controller.walking
+    version = session.velocity_version
+    session.reset()
+    run(session, 0.5)
+    assert not session.controller.walking and session.velocity_version == version + 1
+
+
+def test_gait_trot_steps_in_place_also_after_a_reset() -> None:
+    session = simulation()
+    session.set_gait(surefoot.Gait.TROT)
+    session.reset()
+    run(session, 1.0)
+    assert session.controller.walking and session.walk_figures.rms is not None
+
+
+def test_view_follows_a_walking_robot_along_a_slope() -> None:
+    quaternion = np.array([np.cos(0.1), 0.0, -np.sin(0.1), 0.0])  # uphill forward by 0.2 rad
+    treadmill = Treadmill(0.15, 0.5)
+    for x in np.linspace(0.0, 7.3, 100):
+        qpos = np.array([x, 0.02, x * np.tan(0.2) + 0.3, 1.0, 0.0, 0.0, 0.0])
+        corner = qpos[:3] - [0.0, 0.0, 0.3]
+        feet = np.tile(corner, (4, 1))
+        state = SceneState(qpos, feet, np.zeros((4, 3)), np.ones(4, bool), qpos[:3], quaternion)
+        seen = treadmill.follow(state)
+        assert np.linalg.norm(seen.qpos[:2]) <= 0.15 + 1e-9
+        normal = np.array([-np.sin(0.2), 0.0, np.cos(0.2)])
+        assert abs(seen.contact_points[0] @ normal) < 1e-9  # the feet stay on the ground
+        place = treadmill.ground_position(quaternion)
+        assert abs(place @ normal) < 1e-9 and np.linalg.norm(place) < 0.5
+        moved = seen.contact_points[0] - place
+        sections = (corner - moved) @ np.array([np.cos(0.2), 0.0, np.sin(0.2)]) / 0.5
+        assert abs(sections - round(sections)) < 1e-6  # the grid moves with the feet
 
 
 def test_comparison_gives_worse_gains_a_higher_cost() -> None:

@@ -168,6 +168,24 @@ def test_browser_changes_a_gain_pushes_and_saves_a_file(live: Live) -> None:
     wait_until(lambda: session.editor.gains == saved)
 
 
+def test_keys_walk_the_robot_and_the_stop_button_stops_it(live: Live) -> None:
+    tab, session = live.tab, live.session
+    tab.locator("canvas").first.focus()
+    for _ in range(3):
+        tab.keyboard.press("i")
+    tab.keyboard.press("u")
+    wait_until(lambda: session.controller.commanded_velocity.vx == pytest.approx(0.3))
+    wait_until(lambda: session.controller.commanded_velocity.yaw_rate == pytest.approx(0.2))
+    tab.get_by_text("Command 0.30, 0.00 m/s, 0.20 rad/s").wait_for()
+    tab.get_by_role("button", name="Stop").click()
+    wait_until(lambda: not session.controller.walking)
+    tab.keyboard.press("i")
+    wait_until(lambda: session.controller.walking)
+    tab.close()  # nobody watches
+    wait_until(lambda: not session.controller.walking)
+    assert session.healthy
+
+
 def test_page_shows_error_messages(live: Live) -> None:
     tab = live.tab
     (live.folder / "gains.toml").write_text("[gains]\ncom_kp_horizontl = 3\n")

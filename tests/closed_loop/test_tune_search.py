@@ -19,12 +19,12 @@ import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
 from surefoot.robot.gain_files import gain_values
 from surefoot.sim import PlantSettings
-from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.final_evaluation import select_best_trial
 from surefoot.tune.search.rollout import BROKEN_COST, Outcome, TrialJob, evaluate_exclusively
 from surefoot.tune.search.run import run_search
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply_parameters, default_space, parse_parameter
+from surefoot.tune.search.stand_episode import StandEpisode
 from surefoot.tune.search.summary import summarise
 from surefoot.tune.search.trial_journal import open_trial_journal
 from surefoot.tune.search.trial_queue import TrialQueue
@@ -37,7 +37,7 @@ ALL = {p.name: p.get(OWN) for p in default_space()}
 POOR = apply_parameters(
     {k: 0.5 * v if k.endswith("frequency") else 0.3 for k, v in ALL.items()}, OWN
 )
-EPISODE = Episode("go1", 1, PlantSettings())
+EPISODE = StandEpisode("go1", 1, PlantSettings())
 SHORT_SEARCH = ("--trials", "6", "--episodes", "1", "--held-out", "1", "--jobs", "1")
 
 
@@ -90,13 +90,13 @@ def test_episode_is_repeatable_and_depends_on_the_seed() -> None:
     assert first.costs == again.costs and first.terms == again.terms
     assert first.ticks == 3300 and first.steps == 6600 and first.falls == 0
     other = evaluate_exclusively(
-        TrialJob(gain_values(OWN), (Episode("go1", 2, PlantSettings()),), ("balance",))
+        TrialJob(gain_values(OWN), (StandEpisode("go1", 2, PlantSettings()),), ("balance",))
     )
     assert other.costs != first.costs
 
 
 def test_hopeless_trial_is_stopped_early() -> None:
-    episodes = tuple(Episode("go1", seed, PlantSettings()) for seed in range(1, 4))
+    episodes = tuple(StandEpisode("go1", seed, PlantSettings()) for seed in range(1, 4))
     outcome = evaluate_exclusively(
         TrialJob(gain_values(POOR), episodes, ("balance",), stop_cost=1.0)
     )

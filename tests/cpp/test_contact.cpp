@@ -362,7 +362,9 @@ BOOST_AUTO_TEST_CASE(single_moving_loaded_foot_slips_until_it_stops) {
   FeetMatrix v = FeetMatrix::Zero();
   Eigen::Vector4d loaded = Eigen::Vector4d::Ones();
   const auto run = [&](double seconds) {
-    for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, v, loaded, false, kPeriod);
+    const Eigen::Vector4d loads = 0.25 * loaded;
+    const FootSlipInput input{v, loaded, loads, Vector3::UnitZ(), false};
+    for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, input, kPeriod);
   };
   v.row(0).setConstant(1.0);  // the same for all feet: an error of the base velocity
   run(0.5);

@@ -12,6 +12,8 @@ using namespace surefoot;
 
 namespace {
 
+const Eigen::Vector4d kLoads = Eigen::Vector4d::Constant(0.25);  // [m g] of each foot
+
 constexpr double kPeriod = 0.002;
 
 // The filter input of a resting robot whose IMU vibrates.
@@ -120,6 +122,26 @@ BOOST_AUTO_TEST_CASE(stepping_robot_estimates_no_push) {
   BOOST_TEST(estimated_push(true) == 0.0);
 }
 
+// The rules of standing feet report a slip in both cases.
+BOOST_AUTO_TEST_CASE(sole_that_sinks_or_lifts_off_is_no_slip_if_the_feet_step) {
+  const auto slip_after = [](const Vector3& velocity, double load, bool stepping) {
+    SlipDetector slip;
+    FeetMatrix v = FeetMatrix::Zero();
+    v.col(RR_) = velocity;
+    const Eigen::Vector4d contact = Eigen::Vector4d::Ones(), loads = load * contact;
+    for (int k = 0; k < 0.1 / kPeriod; ++k) {
+      slip.update(Gains(), {v, contact, loads, Vector3::UnitZ(), stepping}, kPeriod);
+    }
+    return slip.slip()[RR_];
+  };
+  const Vector3 sinking(0.0, 0.0, -0.5), sliding(0.5, 0.0, 0.0);
+  BOOST_TEST(slip_after(sinking, 0.5, true) == 0.0);
+  BOOST_TEST(slip_after(sinking, 0.5, false) == 1.0);
+  BOOST_TEST(slip_after(sliding, 0.0, true) == 0.0);
+  BOOST_TEST(slip_after(sliding, 0.0, false) == 1.0);
+  BOOST_TEST(slip_after(sliding, 0.5, true) == 1.0);
+}
+
 BOOST_AUTO_TEST_CASE(slip_is_forgotten_at_lift_off_only_if_the_feet_step) {
   for (const bool stepping : {true, false}) {
     const Gains gains;
@@ -127,7 +149,8 @@ BOOST_AUTO_TEST_CASE(slip_is_forgotten_at_lift_off_only_if_the_feet_step) {
     FeetMatrix v = FeetMatrix::Zero();
     Eigen::Vector4d contact = Eigen::Vector4d::Ones();
     const auto run = [&](double seconds) {
-      for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, v, contact, stepping, kPeriod);
+      const FootSlipInput input{v, contact, kLoads, Vector3::UnitZ(), stepping};
+      for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, input, kPeriod);
     };
     v(0, RR_) = 0.5;
     run(0.1);

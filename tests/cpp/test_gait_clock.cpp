@@ -13,7 +13,8 @@ constexpr double kPeriod = 0.4;
 struct ClockFixture {
   GaitClock clock;
   GaitTiming timing;
-  bool late = false, stop = false;
+  bool stop = false;
+  double max_wait = 0.0;
 
   ClockFixture() { set_duty(0.6); }
   void set_duty(double duty) {
@@ -21,7 +22,7 @@ struct ClockFixture {
     timing.duty = duty;
     clock.start();
   }
-  void tick() { clock.advance(timing, late, stop, kDt); }
+  void tick() { clock.advance(timing, max_wait, stop, kDt); }
   void run(double seconds) {
     for (int k = 0; k < seconds / kDt - 0.5; ++k) tick();
   }
@@ -112,25 +113,43 @@ BOOST_FIXTURE_TEST_CASE(progress_and_times_of_a_swing_agree, ClockFixture) {
   BOOST_TEST(std::abs(clock.time_to_liftoff(FL_) - timing.stance_time()) < 2.0 * kDt);
 }
 
-BOOST_FIXTURE_TEST_CASE(clock_waits_for_late_feet_for_15_percent_of_the_period, ClockFixture) {
-  late = true;
-  const double wait = 0.15 * kPeriod;
-  BOOST_TEST(std::abs(time_until_swing(FL_) - (0.1 * kPeriod + wait)) < 2.0 * kDt);
-  // The next lift-off, half a period later, may wait as long again.
-  BOOST_TEST(std::abs(time_until_swing(FR_) - (0.5 * kPeriod + wait)) < 2.0 * kDt);
+BOOST_FIXTURE_TEST_CASE(clock_waits_for_late_feet_for_the_given_time, ClockFixture) {
+  for (const double duty : {0.5, 0.6}) {
+    set_duty(duty);
+    const double shared = (duty - 0.5) * kPeriod;
+    max_wait = 0.06;
+    BOOST_TEST(std::abs(time_until_swing(FL_) - (shared + max_wait)) < 3.0 * kDt);
+    // The next lift-off, half a period later, may wait as long again.
+    BOOST_TEST(std::abs(time_until_swing(FR_) - (0.5 * kPeriod + max_wait)) < 3.0 * kDt);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(clock_continues_as_soon_as_late_feet_land, ClockFixture) {
-  late = true;
+  max_wait = 0.06;
   run(0.1 * kPeriod + 0.02);
   BOOST_TEST(swing_feet() == 0);
-  late = false;
+  max_wait = 0.0;
   BOOST_TEST(time_until_swing(FL_) <= 2.0 * kDt);
+}
+
+// Feet that wait carry their load: their lift-off is a period away.
+BOOST_FIXTURE_TEST_CASE(waiting_feet_stand_while_the_other_pair_is_down, ClockFixture) {
+  set_duty(0.5);
+  time_until_swing(FL_);
+  while (clock.time_to_touchdown(FL_) > 2.0 * kDt) tick();
+  max_wait = 1.0;
+  run(0.1);
+  BOOST_TEST(swing_feet() == 0);
+  BOOST_TEST(clock.time_to_liftoff(FR_) == kPeriod);
+  max_wait = 0.0;
+  tick();
+  BOOST_TEST((clock.in_swing(FR_) && clock.in_swing(RL_) && !clock.in_swing(FL_)));
+  BOOST_TEST(clock.swing_progress(FR_) < 0.03);
 }
 
 BOOST_FIXTURE_TEST_CASE(clock_does_not_wait_while_no_foot_is_about_to_lift_off, ClockFixture) {
   time_until_swing(FL_);
-  late = true;
+  max_wait = 0.06;
   const double progress = clock.swing_progress(FL_);
   tick();
   BOOST_TEST(std::abs(clock.swing_progress(FL_) - progress - kDt / timing.swing_time()) < 1e-9);

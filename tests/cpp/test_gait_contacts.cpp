@@ -15,6 +15,7 @@ struct ContactsFixture {
   GaitTiming timing;
   FootContacts contacts;
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
+  std::array<bool, kLegs> lifting{};
   int lift_offs = 0, landings = 0, losses = 0;  // of FL
 
   ContactsFixture() {
@@ -25,8 +26,8 @@ struct ContactsFixture {
   }
   void tick() {
     const bool was_in_stance = contacts.in_stance(FL_);
-    clock.advance(timing, contacts.late(clock, 0.0), false, kDt);
-    contacts.update(clock, contact, kDt);
+    clock.advance(timing, contacts.late(clock, 0.0) ? 0.06 : 0.0, false, kDt);
+    contacts.update(clock, contact, lifting, kDt);
     lift_offs += contacts.lifted_off(FL_);
     landings += !was_in_stance && contacts.in_stance(FL_);
     losses += contacts.lost(FL_);
@@ -101,6 +102,22 @@ BOOST_FIXTURE_TEST_CASE(foot_with_less_than_the_smallest_load_is_late, ContactsF
   for (int k = 0; k < 10; ++k) tick();
   BOOST_TEST(contacts.load(FL_) == 1.0);
   BOOST_TEST(!contacts.late(clock, 1.0));
+}
+
+BOOST_FIXTURE_TEST_CASE(foot_that_lifts_over_an_obstacle_swings_until_it_lands, ContactsFixture) {
+  until(FootPhase::kSwing);
+  contact[FL_] = 0.0;
+  lifting[FL_] = true;
+  while (clock.in_swing(FL_)) tick();
+  for (int k = 0; k < 10; ++k) tick();
+  BOOST_TEST((contacts.phase(FL_) == FootPhase::kSwing && contacts.load(FL_) == 0.0));
+  BOOST_TEST(lift_offs == 1);
+  lifting[FL_] = false;
+  contact[FL_] = 1.0;
+  tick();
+  BOOST_TEST((contacts.phase(FL_) == FootPhase::kStance && contacts.landed(FL_)));
+  tick();
+  BOOST_TEST(!contacts.landed(FL_));
 }
 
 BOOST_FIXTURE_TEST_CASE(stance_foot_that_loses_the_ground_reaches_for_it, ContactsFixture) {

@@ -20,7 +20,7 @@ struct PlaneFixture {
     for (int leg = 0; leg < kLegs; ++leg) ground.stand_at(leg, points.col(leg));
   }
   void run(double seconds) {
-    for (int k = 0; k < seconds / 0.002; ++k) ground.update(0.2, 0.002);
+    for (int k = 0; k < seconds / 0.002; ++k) ground.update(0.1, {0.0, 0.0}, 0.002);
   }
   FeetMatrix sloped() const {
     FeetMatrix points = feet;
@@ -64,6 +64,32 @@ BOOST_FIXTURE_TEST_CASE(foot_on_a_step_tilts_the_plane_by_half_the_step, PlaneFi
   const double front = ground.height_at({0.2, 0.0}), rear = ground.height_at({-0.2, 0.0});
   BOOST_TEST(std::abs(front - rear - 0.03) < 1e-3);
   BOOST_TEST(std::abs(ground.height_at({0.0, 0.0}) - 0.1 - 0.015) < 1e-9);
+}
+
+// The body is not jerked when a foot lands on a step.
+BOOST_FIXTURE_TEST_CASE(height_for_the_body_approaches_a_step_without_a_jump, PlaneFixture) {
+  feet(2, FR_) += 0.08;
+  stand(feet);
+  run(0.002);
+  BOOST_TEST(std::abs(ground.height_at({0.0, 0.0}) - 0.1 - 0.02) < 1e-6);
+  BOOST_TEST(std::abs(ground.smooth_height_at({0.0, 0.0}) - 0.1) < 1e-3);
+  run(0.1);
+  BOOST_TEST(std::abs(ground.smooth_height_at({0.0, 0.0}) - 0.1 - 0.02 * (1.0 - std::exp(-1.0))) <
+             1e-3);
+}
+
+BOOST_FIXTURE_TEST_CASE(height_for_the_body_does_not_lag_on_a_slope, PlaneFixture) {
+  ground.start(sloped());
+  Eigen::Vector2d body(0.0, 0.0);
+  for (int k = 0; k < 1000; ++k) {
+    body.x() += 0.002 * 0.5;  // 0.5 m/s; the feet follow in every tick
+    FeetMatrix points = feet;
+    points.row(0).array() += body.x();
+    points.row(2) += kSlope * points.row(0);
+    stand(points);
+    ground.update(0.1, body, 0.002);
+    BOOST_REQUIRE(std::abs(ground.smooth_height_at(body) - 0.1 - kSlope * body.x()) < 1e-9);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(feet_that_span_no_ground_keep_the_normal, PlaneFixture) {

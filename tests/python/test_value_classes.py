@@ -20,7 +20,8 @@ VALUES = [
     kind
     for kind in vars(surefoot._core).values()
     if isinstance(kind, type)
-    and not issubclass(kind, surefoot.Controller)  # its settable gait is no value of a copy
+    # Their settable gait is no value of a copy.
+    and not issubclass(kind, (surefoot.Controller, surefoot.Supervisor))
     and any(isinstance(p, property) and p.fset for p in vars(kind).values())
 ]
 RESULTS = ["ArmingCheck", "ArmingReport", "FaultReport", "EstimatorReport", "Solution"]
@@ -212,7 +213,7 @@ def measured_results() -> list[Any]:
     for tick in range(1, 30, 2):
         state.tick = tick
         supervisor.update(state)
-    controller = supervisor.stand_controller
+    controller = supervisor.controller
     return [
         *(supervisor.arming, supervisor.arming.checks["tilt"], supervisor.faults),
         *(controller.solution, controller.estimator_report, controller.reach),

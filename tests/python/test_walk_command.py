@@ -12,6 +12,7 @@ from PIL import Image
 from surefoot import Error, Gait
 from surefoot.cli import arguments, main
 from surefoot.cli.walk import read_settings
+from surefoot.sim import Terrain
 from surefoot.stand import film
 from surefoot.walk import FIELDS, WalkSettings, parse_velocity, run_walk, summarise
 from surefoot.walk.report import write_report
@@ -77,6 +78,43 @@ def test_gait_walk_and_references_reach_the_settings() -> None:
     settings = settings_of("--gait walk --reference height=-0.02,pitch=5@1")
     assert settings.gait == Gait.WALK
     assert [request.offsets for request in settings.references] == [{"height": -0.02, "pitch": 5.0}]
+
+
+@pytest.mark.parametrize(
+    ("words", "terrain"),
+    [
+        ("--step 0.08:30", Terrain(step_height=0.08, step_heading_deg=30.0, seed=2)),
+        ("--stairs 0.05:0.3", Terrain(stairs_height=0.05, stairs_tread=0.3, seed=2)),
+        ("--blocks 0.03", Terrain(block_height=0.03, seed=2)),
+        ("", Terrain()),
+    ],
+)
+def test_terrain_options_reach_the_plant(words, terrain) -> None:
+    assert settings_of(f"{words} --seed 2").plant.terrain == terrain
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("--step high", r"--step: got 'high', expected HEIGHT\[:HEADING\]"),
+        ("--step -0.1", r"terrain: step_height: got -0.1"),
+        ("--stairs 0.05", r"--stairs: got '0.05', expected HEIGHT:TREAD"),
+        ("--blocks nan", r"terrain: block_height: got nan"),
+        ("--step 0.1 --blocks 0.1", r"got step_height and block_height, expected one of them"),
+        ("--step 0.1 --slope 5", r"terrain: got it together with a slope"),
+        ("--lost-frames -1", r"lost_frames: got -1"),
+    ],
+)
+def test_wrong_ground_is_refused_by_name(words, message) -> None:
+    with pytest.raises(Error, match=message):
+        settings_of(words)
+
+
+def test_lost_frames_keep_the_command_before() -> None:
+    log = run_walk(settings_of("--duration 0.6 --lost-frames 20"))
+    repeated = (np.diff(log.commands.astype(int), axis=0) == 0).all(axis=1).mean()
+    assert 0.15 < repeated < 0.5
+    assert not log.fell
 
 
 def test_json_has_every_field_and_the_limit_of_a_clamped_velocity(capsys, tmp_path) -> None:

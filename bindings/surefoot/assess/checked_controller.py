@@ -7,7 +7,7 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
-from surefoot._core import LowCmd, LowState
+from surefoot._core import LowCmd, LowState, WalkVelocity
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 
 ControlFunction = Callable[[LowState], LowCmd]
@@ -38,6 +38,27 @@ def checked_controller(control: ControlFunction) -> ControlFunction:
         return command
 
     return call
+
+
+class WalkingControl:
+    """A controller that walks, with the checks of checked_controller().
+
+    Args:
+        controller: Object with the methods set_velocity(WalkVelocity) and update(LowState).
+    """
+
+    def __init__(self, controller: Any) -> None:
+        self._set_velocity = controller.set_velocity
+        self._update = checked_controller(controller.update)
+
+    def update(self, state: LowState, velocity: WalkVelocity) -> LowCmd:
+        """Command a velocity, and return the command of the tick; raise ControllerFailure."""
+        try:
+            self._set_velocity(velocity)
+        # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
+        except BaseException as problem:
+            raise ControllerFailure(f"set_velocity threw {exception_text(problem)}") from None
+        return self._update(state)
 
 
 def _check_finite(command: LowCmd) -> None:

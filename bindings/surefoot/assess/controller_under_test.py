@@ -12,10 +12,18 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
-from surefoot._core import ControllerOptions, Error, Robot, StandController
+from surefoot._core import (
+    ControllerOptions,
+    Error,
+    Robot,
+    StandController,
+    WalkController,
+    WalkOptions,
+)
 from surefoot.assess.checked_controller import (
     ControlFunction,
     ControllerFailure,
+    WalkingControl,
     checked_controller,
     exception_text,
 )
@@ -24,7 +32,7 @@ from surefoot.robot.gain_files import gains_from_values
 
 ControllerFactory = Callable[..., Any]
 REFERENCE_CONTROLLERS = ("pd", "force_qp")
-BUILT_IN_CONTROLLERS = ("surefoot", *REFERENCE_CONTROLLERS)
+WALKING_REFERENCES = ("raibert",)
 # [s] For delays up to this value "surefoot" does not predict, because prediction amplifies noise.
 # Derived: two control periods (4 ms), a latency of 5 ms, and 0.5 ms of rounding.
 _MIN_PREDICTED_DELAY = 0.0095
@@ -36,26 +44,34 @@ class ControllerUnderTest:
     """A controller that can be constructed again in any process.
 
     Attributes:
-        name: One of BUILT_IN_CONTROLLERS, or MODULE:CALLABLE. If `factory` is set: any name that is
-            not built in.
+        name: One of `built_in`, or MODULE:CALLABLE. If `factory` is set: any name that is not built
+            in.
         gains: All gains by name, only for "surefoot"; empty: the robot's own gains.
         factory: Function that constructs the controller. It receives the surefoot.Robot and, if it
             has a parameter `delay`, also the delay of the loop [s]. It returns a callable LowState
             -> LowCmd, or an object whose method update() is such a callable. None: `name` selects
             the factory.
+        walks: Whether the controller walks. It must then be an object that also has a method
+            set_velocity(WalkVelocity).
     """
 
     name: str = "surefoot"
     gains: dict[str, float] = field(default_factory=dict)
     factory: ControllerFactory | None = None
+    walks: bool = False
+
+    @property
+    def built_in(self) -> tuple[str, ...]:
+        """Names of the built-in controllers that stand, or that walk."""
+        return ("surefoot", *(WALKING_REFERENCES if self.walks else REFERENCE_CONTROLLERS))
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str):
             raise Error(f"controller: got {self.name!r}, expected a name")
-        if self.factory is not None and self.name in BUILT_IN_CONTROLLERS:
+        if self.factory is not None and self.name in self.built_in:
             raise Error(
                 f"controller: got a factory called '{self.name}', expected another name: "
-                f"{', '.join(BUILT_IN_CONTROLLERS)} are built in"
+                f"{', '.join(self.built_in)} are built in"
             )
         if self.gains:
             if self.name != "surefoot":
@@ -77,12 +93,7 @@ class ControllerUnderTest:
         Raises:
             ControllerFailure: The factory raised an exception, or did not return a controller.
         """
-        factory = self.factory or find_factory(self)
-        try:
-            controller = factory(robot, delay=delay) if _takes_delay(factory) else factory(robot)
-        # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
-        except BaseException as problem:
-            raise ControllerFailure(f"the factory threw {exception_text(problem)}") from None
+        controller = self._construct(robot, delay)
         control = getattr(controller, "update", controller)
         # A dict has a method update(), but this method is not a controller.
         if isinstance(controller, dict) or not callable(control):
@@ -90,6 +101,25 @@ class ControllerUnderTest:
                 f"the factory returned {type(controller).__name__}, expected a callable"
             )
         return checked_controller(control)
+
+    def make_walking(self, robot: Robot, delay: float) -> WalkingControl:
+        """Construct a controller that walks for one run; arguments and errors are as in make()."""
+        controller = self._construct(robot, delay)
+        for name in ("update", "set_velocity"):
+            if not callable(getattr(controller, name, None)):
+                raise ControllerFailure(
+                    f"the factory returned {type(controller).__name__} without {name}(), expected "
+                    "an object with set_velocity(WalkVelocity) and update(LowState)"
+                )
+        return WalkingControl(controller)
+
+    def _construct(self, robot: Robot, delay: float) -> Any:
+        factory = self.factory or find_factory(self)
+        try:
+            return factory(robot, delay=delay) if _takes_delay(factory) else factory(robot)
+        # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
+        except BaseException as problem:
+            raise ControllerFailure(f"the factory threw {exception_text(problem)}") from None
 
 
 def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactory:
@@ -100,15 +130,16 @@ def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactor
     """
     name = controller_under_test.name
     if name == "surefoot":
-        return partial(make_stand_controller, gains=controller_under_test.gains)
-    if name in BUILT_IN_CONTROLLERS:
+        make = make_walk_controller if controller_under_test.walks else make_stand_controller
+        return partial(make, gains=controller_under_test.gains)
+    if name in controller_under_test.built_in:
         from surefoot.assess.references import FACTORIES
 
         return FACTORIES[name]
     module, separator, path = name.partition(":")
     if not (module and separator and path):
         raise Error(
-            f"controller: got '{name}', expected {', '.join(BUILT_IN_CONTROLLERS)} "
+            f"controller: got '{name}', expected {', '.join(controller_under_test.built_in)} "
             "or module:callable"
         )
     if os.getcwd() not in sys.path:  # `python -m` adds the working directory too
@@ -141,6 +172,18 @@ def make_stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -
         delay=min(delay, _MAX_PREDICTED_DELAY) if delay > _MIN_PREDICTED_DELAY else 0.0
     )
     return StandController(robot, gains_from_values(gains) if gains else None, options)
+
+
+def make_walk_controller(robot: Robot, delay: float, gains: dict[str, float]) -> WalkController:
+    """Construct the "surefoot" controller that walks; arguments as in make_stand_controller().
+
+    While it steps, it predicts over two periods in any case.
+    """
+    options = ControllerOptions(
+        delay=min(delay, _MAX_PREDICTED_DELAY) if delay > _MIN_PREDICTED_DELAY else 0.0
+    )
+    own = gains_from_values(gains) if gains else None
+    return WalkController(robot, own, WalkOptions(options))
 
 
 def _takes_delay(factory: ControllerFactory) -> bool:

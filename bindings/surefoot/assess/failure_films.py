@@ -140,9 +140,11 @@ def films_of_failures(
     settings: AssessSettings, limits: PushLimits, results: UnitResults, folder: Path
 ) -> Iterator[FilmUnit]:
     """Yield the worst failed push of each criterion, then the first failed stand per condition."""
-    pushes = [u for u in plan.push_units(settings.card, limits) if "rows" in results[u.key]]
+    pushes = [u for u in plan.push_units(settings.stand_card, limits) if "rows" in results[u.key]]
     summary_units = [
-        unit for unit in pushes if (unit.duration, unit.push_height) == settings.card.summary_push
+        unit
+        for unit in pushes
+        if (unit.duration, unit.push_height) == settings.stand_card.summary_push
     ]
     for kind, attribute in CRITERIA.items():
         if not summary_units:
@@ -159,8 +161,8 @@ def films_of_failures(
             )
             file = str(folder / f"film_{kind}.webp")
             yield FilmUnit(unit, min(failed_levels), file, f"worst failed push ({kind}): {words}")
-    for number, condition in enumerate(settings.card.conditions):
-        for stand in plan.stand_units(settings.card, condition):
+    for number, condition in enumerate(settings.stand_card.conditions):
+        for stand in plan.stand_units(settings.stand_card, condition):
             if results[stand.key].get("passed") is False:
                 words = f"{condition.name}, heading {stand.heading:g} deg, seed {stand.seed}"
                 file = str(folder / f"film_condition_{number}.webp")

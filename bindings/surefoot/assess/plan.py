@@ -24,7 +24,7 @@ BRIEF_CELLS = ("*/standing",)  # patterns of the fault matrix cells that faults 
 
 def planned_work(settings: AssessSettings, limits: PushLimits) -> Iterator[WorkItem]:
     """Yield all work of an assessment: pushes, conditions, faults, reference controllers."""
-    card, controller_under_test = settings.card, settings.controller_under_test
+    card, controller_under_test = settings.stand_card, settings.controller_under_test
     for unit in push_units(card, limits):
         yield WorkItem(unit, controller_under_test)
     for condition in card.conditions:
@@ -93,15 +93,15 @@ def fault_units(settings: AssessSettings) -> list[FaultUnit]:
 
     The cells test the Supervisor, which only "surefoot" has.
     """
-    if settings.card.faults == "none" or settings.controller_under_test.name != "surefoot":
+    if settings.stand_card.faults == "none" or settings.controller_under_test.name != "surefoot":
         return []
-    patterns = BRIEF_CELLS if settings.card.faults == "brief" else ()
+    patterns = BRIEF_CELLS if settings.stand_card.faults == "brief" else ()
     return [FaultUnit(cell.id) for cell in choose_cells(patterns)]
 
 
 def reference_controllers(settings: AssessSettings) -> list[ControllerUnderTest]:
     """Return the reference controllers of the scorecard, except the controller under test."""
-    if not settings.card.references:
+    if not settings.stand_card.references:
         return []
     return [
         ControllerUnderTest(name)

@@ -31,7 +31,7 @@ def push_table_html(table: dict[str, Any], name: str) -> str:
     where = f"{table['height_m']:+g} m from the centre of mass"
     title = f"{name}: pushes of {table['length_s']:g} s, {where}"
     text = f"{table['statistic']}, in steps of {table['step_percent']:g} % of the push limit"
-    return _table_html(title, text, header, rows)
+    return table_html(title, text, header, rows)
 
 
 def conditions_html(card: dict[str, Any]) -> str:
@@ -56,7 +56,7 @@ def conditions_html(card: dict[str, Any]) -> str:
         "Pushes: 0.1 s through the centre of mass, the worst direction, in percent of the push "
         "limit with the friction and mass of the condition."
     )
-    return _table_html("Conditions", text, header, rows)
+    return table_html("Conditions", text, header, rows)
 
 
 def faults_html(card: dict[str, Any]) -> str:
@@ -69,10 +69,10 @@ def faults_html(card: dict[str, Any]) -> str:
         css_class = "fail" if count["failed"] else ""
         rows.append([(row, ""), (str(count["cells"]), ""), (str(count["failed"]), css_class)])
     text = "; ".join(f"{cell}: {why}" for cell, why in faults["failures"].items()) or "All passed."
-    return _table_html("Faults", text, ("row", "cells", "failed"), rows)
+    return table_html("Faults", text, ("row", "cells", "failed"), rows)
 
 
-def _table_html(
+def table_html(
     title: str, text: str, header: Sequence[str], rows: Sequence[Sequence[tuple[str, str]]]
 ) -> str:
     """Return a page section with a table as HTML; each cell of `rows` is (text, CSS class)."""

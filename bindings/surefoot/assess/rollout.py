@@ -14,9 +14,8 @@ from surefoot.assess.condition_plant import ground_mover
 from surefoot.assess.motion_without_rolling import remove_rolling
 from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
+from surefoot.sim.lost_frames import lost_frames
 from surefoot.sim.truth import has_fallen
-
-_LOSS_STREAM = 17  # number of the random stream for frame losses; the plant uses streams 0 .. 3
 
 TickCallback = Callable[[Plant, int], None]
 """Function that receives the plant and the number of the tick."""
@@ -68,7 +67,7 @@ def roll_out(
         ControllerFailure: The controller failed; see the class.
     """
     ticks = round(duration * plant.settings.control_rate)
-    lost = _lost_frames(condition, plant.settings.seed, ticks)
+    lost = lost_frames(condition.loss_percent, plant.settings.seed, ticks)
     move_ground = ground_mover(condition, plant)
     recorder = _TrajectoryRecorder(plant, ticks + 1)
     received = plant.reset()
@@ -125,16 +124,3 @@ class _TrajectoryRecorder:
         )
         rate = self._plant.settings.control_rate
         return TrueTrajectory(self._base[:rows], feet, feet_without_roll, fall_tick, rate)
-
-
-def _lost_frames(condition: Condition, seed: int, ticks: int) -> np.ndarray:
-    """Return a mask (2, ticks): True if the LowState (row 0) or LowCmd (row 1) of a tick is lost.
-
-    In tick 0 no frame is lost.
-    """
-    if condition.loss_percent == 0.0:
-        return np.zeros((2, ticks), dtype=np.bool_)
-    rng = np.random.default_rng([seed, _LOSS_STREAM])
-    lost = rng.uniform(size=(2, ticks)) < condition.loss_percent / 100.0
-    lost[:, 0] = False
-    return np.asarray(lost)

@@ -11,6 +11,8 @@ from surefoot.assess.plan import planned_work
 from surefoot.assess.push_limits import PushLimits
 from surefoot.assess.score import controller_results, score
 from surefoot.assess.settings import AssessSettings
+from surefoot.assess.walking.walk_plan import planned_walks
+from surefoot.assess.walking.walk_score import walk_score
 from surefoot.assess.worker import LOST_KEY, WorkItem
 from surefoot.assess.worker_pool import run_work
 from surefoot.files.result_store import ResultStore, open_result_store
@@ -27,7 +29,7 @@ def run_assess(
     Args:
         settings: Settings of the assessment.
         progress: Function that is called after every unit.
-        films: Folder for films of the failures; None: no films.
+        films: Folder for films of the failures; None: no films. Walks are not filmed.
 
     Returns:
         The filled scorecard as JSON values; docs/reference/scorecard.md describes its keys.
@@ -38,8 +40,12 @@ def run_assess(
     """
     robot = settings.build()
     limits = PushLimits(robot)
+    walks = settings.controller_under_test.walks
+    planned = planned_walks(settings, limits) if walks else planned_work(settings, limits)
     with open_result_store(settings.store, "surefoot assess", settings.to_dict(robot)) as store:
-        _run(settings, store, list(planned_work(settings, limits)), progress)
+        _run(settings, store, list(planned), progress)
+        if walks:
+            return walk_score(settings, robot, limits, store.results)
         filled = score(settings, robot, limits, store.results)
         unit_results = controller_results(store.results, settings.controller_under_test.name)
     filled["films"] = [] if films is None else make_films(settings, limits, unit_results, films)

@@ -24,7 +24,7 @@ def score(
     settings: AssessSettings, robot: Robot, limits: PushLimits, results: StoredResults
 ) -> dict[str, Any]:
     """Return the filled scorecard as JSON values."""
-    card, name = settings.card, settings.controller_under_test.name
+    card, name = settings.stand_card, settings.controller_under_test.name
     unit_results = controller_results(results, name)
     filled = {
         "robot": robot.name,
@@ -73,7 +73,7 @@ def _stance_result(robot: Robot, limits: PushLimits) -> dict[str, Any]:
 def _condition_result(
     settings: AssessSettings, condition: Condition, limits: PushLimits, unit_results: UnitResults
 ) -> dict[str, Any]:
-    card = settings.card
+    card = settings.stand_card
     push_units = plan.condition_push_units(card, condition, limits)
     nominal = Condition(condition.name)
     changed_fields = {

@@ -11,6 +11,7 @@ from surefoot.assess.condition_plant import RobotSource, describe_source
 from surefoot.assess.controller_under_test import ControllerUnderTest, find_factory
 from surefoot.assess.scorecard import Scorecard, standard_scorecard
 from surefoot.assess.time_limit import time_limit
+from surefoot.assess.walking.walk_scorecard import WalkScorecard
 from surefoot.robot.loading import build_robot, robot_identity
 from surefoot.robot.setting_checks import check_integer, check_number
 
@@ -26,7 +27,7 @@ class AssessSettings:
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
         controller_under_test: Controller to assess.
-        card: Scorecard to fill.
+        card: Scorecard to fill: a WalkScorecard for a controller that walks.
         jobs: Number of worker processes. All units run in workers, so a controller that crashes
             does not stop the assessment.
         deadline: Longest wall time of one run of a few simulated seconds [s]; a worker whose run
@@ -36,7 +37,7 @@ class AssessSettings:
 
     robot: RobotSource = "go1"
     controller_under_test: ControllerUnderTest = field(default_factory=ControllerUnderTest)
-    card: Scorecard = field(default_factory=lambda: standard_scorecard("quick"))
+    card: Scorecard | WalkScorecard = field(default_factory=lambda: standard_scorecard("quick"))
     jobs: int = 1
     # Chosen: far longer than a run of 3.5 simulated seconds takes (0.24 to 0.4 s). With a larger
     # value, a controller that never returns would block its worker for longer.
@@ -47,7 +48,8 @@ class AssessSettings:
         check_integer("jobs", self.jobs, 1, MAX_JOBS)
         check_number("deadline", self.deadline, 0.1, MAX_DEADLINE)
         _check_type("controller_under_test", self.controller_under_test, ControllerUnderTest)
-        _check_type("card", self.card, Scorecard)
+        kind = WalkScorecard if self.controller_under_test.walks else Scorecard
+        _check_type("card", self.card, kind)
         if self.controller_under_test.factory is None:
             with time_limit(
                 self.deadline, f"controller '{self.controller_under_test.name}': its import"
@@ -60,6 +62,18 @@ class AssessSettings:
                 f"controller '{self.controller_under_test.name}': cannot be handed to another "
                 f"process ({problem}); expected a function or class of a module"
             ) from None
+
+    @property
+    def stand_card(self) -> Scorecard:
+        """The scorecard of a controller that stands."""
+        assert isinstance(self.card, Scorecard)  # checked in __post_init__
+        return self.card
+
+    @property
+    def walk_card(self) -> WalkScorecard:
+        """The scorecard of a controller that walks."""
+        assert isinstance(self.card, WalkScorecard)  # checked in __post_init__
+        return self.card
 
     def build(self) -> Robot:
         """Build the model of the robot.
@@ -75,6 +89,7 @@ class AssessSettings:
             **robot_identity(describe_source(self.robot), robot),
             "controller": self.controller_under_test.name,
             "gains": self.controller_under_test.gains,
+            "walks": self.controller_under_test.walks,
             "card": self.card.to_dict(),
         }
 

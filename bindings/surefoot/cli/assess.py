@@ -7,7 +7,7 @@ import os
 import shlex
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 
 _EPILOG = """\
 Pushes the robot in all directions, then varies ground, payload, link and motors, with real sensors
-at 500 Hz and many seeds. Impulses are compared with the LIP push limit (linear inverted pendulum)
+at 500 Hz and many seeds. With --walk it assesses a controller that walks: velocities, pushes while
+it walks, and conditions. Impulses are compared with the LIP push limit (linear inverted pendulum)
 and with the push limit of the robot. With --store, an interrupted assessment can be resumed.
 
 exit status: 0 done, 1 a file could not be written (results in the store are kept), 2 a wrong
@@ -44,9 +45,11 @@ def add_assess_options(parser: argparse.ArgumentParser) -> None:
         "--controller",
         default="surefoot",
         metavar="NAME|MODULE:CALLABLE",
-        help="controller under test: surefoot, pd, force_qp, or a callable that receives the "
-        "surefoot.Robot and returns a function from LowState to LowCmd (surefoot)",
+        help="controller under test: surefoot, pd, force_qp (with --walk: surefoot, raibert), or a "
+        "callable that receives the surefoot.Robot and returns a function from LowState to LowCmd, "
+        "or with --walk an object with set_velocity() and update() (surefoot)",
     )
+    add("--walk", action="store_true", help="assess walking instead of standing")
     add("--gains", metavar="FILE.toml", help="gains of the controller surefoot (the robot's own)")
     add(
         "--quick",
@@ -79,7 +82,7 @@ def assess(arguments: argparse.Namespace) -> None:
     check_output_path("--store", arguments.store)
     check_report_folder(arguments.report, "assess", "surefoot.assess.report")
     try:
-        from surefoot.assess import assess_text, run_assess
+        from surefoot.assess import assess_text, run_assess, walk_text
 
         settings = _settings(arguments)
     except ModuleNotFoundError as problem:
@@ -91,11 +94,21 @@ def assess(arguments: argparse.Namespace) -> None:
     result = {"command": command, **result}
     write_json(arguments.json, result)
     if folder is not None:
-        from surefoot.assess.report import write_assess_report
-
-        print(f"report {write_assess_report(result, folder, command)}", file=sys.stderr)
+        print(f"report {_write_report(arguments, result, folder, command)}", file=sys.stderr)
     if arguments.json != "-":
-        print(assess_text(result))
+        print(walk_text(result) if arguments.walk else assess_text(result))
+
+
+def _write_report(
+    arguments: argparse.Namespace, result: dict[str, Any], folder: Path, command: str
+) -> Path:
+    if arguments.walk:
+        from surefoot.assess.walking.walk_report import write_walk_report
+
+        return write_walk_report(result, folder, command)
+    from surefoot.assess.report import write_assess_report
+
+    return write_assess_report(result, folder, command)
 
 
 def _settings(arguments: argparse.Namespace) -> AssessSettings:
@@ -104,7 +117,9 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
         AssessSettings,
         ControllerUnderTest,
         read_scorecard,
+        read_walk_scorecard,
         standard_scorecard,
+        standard_walk_scorecard,
     )
     from surefoot.assess.settings import MAX_JOBS
 
@@ -121,13 +136,18 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
         gains = gain_values(load_gains(arguments.gains, own))
     if arguments.scenario is not None and arguments.quick:
         raise Error("--scenario: got --quick too, expected one of them")
+    read, standard = (
+        (read_walk_scorecard, standard_walk_scorecard)
+        if arguments.walk
+        else (read_scorecard, standard_scorecard)
+    )
     if arguments.scenario is not None:
-        card = read_scorecard(Path(arguments.scenario))
+        card = read(Path(arguments.scenario))
     else:
-        card = standard_scorecard("quick" if arguments.quick else "full")
+        card = standard("quick" if arguments.quick else "full")
     return AssessSettings(
         robot,
-        ControllerUnderTest(arguments.controller, gains),
+        ControllerUnderTest(arguments.controller, gains, walks=arguments.walk),
         card,
         arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MAX_JOBS),
         arguments.deadline,

@@ -28,9 +28,10 @@ if TYPE_CHECKING:
 FAILED = 4  # exit status if a cell failed
 _EPILOG = """\
 Injects every fault of the catalogue (off, stuck, garbage, wrong, slow, delayed or intermittent,
-where applicable) while the robot lies, rises, stands and is pushed, with real sensors at 500 Hz. A
-cell is one fault injected in one mode. It passes if all commands are finite and within the torque,
-rate and power limits, and if the reaction of fault_table() occurs within its detection time.
+where applicable) while the robot lies, rises, stands, is pushed and walks, with real sensors at 500
+Hz. A cell is one fault injected in one mode. It passes if all commands are finite and within the
+torque, rate and power limits, and if the reaction of fault_table() occurs within its detection
+time.
 
 With --store, an interrupted run can be resumed.
 
@@ -126,7 +127,10 @@ def fault_names_text() -> str:
     for info in fault_table():
         reaction = f"{info.reaction.name.lower()} within {1000 * info.detection_time:.0f} ms"
         head = f"{info.name:<18} {reaction}; clears: {info.cleared_by}"
-        blocks += [head, textwrap.indent(textwrap.fill(info.meaning, 88), "    ")]
+        text = info.meaning
+        if info.while_stepping:
+            text += f". While the feet step: {info.while_stepping}"
+        blocks += [head, textwrap.indent(textwrap.fill(text, 88), "    ")]
     return "\n".join(blocks)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from surefoot._core import Error, FaultId, Mode, RunLog
+from surefoot._core import Error, FaultId, Gait, Mode, RunLog
 from surefoot.cli.output_files import check_output_path
 from surefoot.estimate import SensorLog, write_log
 from surefoot.messages.low_cmd_layout import LOW_CMD
@@ -46,6 +46,8 @@ def write_run_log(path: str, log: RunLog) -> float:
         "time": time,
         "heard": log.has_new_state,
         "mode": _enum_names(Mode, log.mode),
+        "velocity": log.velocity,
+        "gait": _enum_names(Gait, log.gait),
         "damping": _enum_names(FaultId, log.damping_fault),
         "tau": commands.view(LOW_CMD)[:, 0]["motorCmd"]["tau"][:, :MOTOR_COUNT],
         "reports": low_states,
@@ -65,6 +67,6 @@ def _restarted(ticks: np.ndarray) -> bool:
     return bool((np.diff(ticks.astype(np.uint32)).astype(np.int32) < 0).any())
 
 
-def _enum_names(kind: type[Mode] | type[FaultId], values: np.ndarray) -> np.ndarray:
+def _enum_names(kind: type[Mode] | type[FaultId] | type[Gait], values: np.ndarray) -> np.ndarray:
     names = {member.value: name.lower() for name, member in kind.__members__.items()}
     return np.array([names[value] for value in values.tolist()])

@@ -4,8 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, Runner, RunSnapshot
+from surefoot._core import (
+    ArmingCheck,
+    Error,
+    FaultReaction,
+    Mode,
+    RequestStatus,
+    Robot,
+    Runner,
+    RunSnapshot,
+    fault_table,
+)
 from surefoot.cli.run_keyboard import KeyboardLines
+from surefoot.cli.run_velocity import VELOCITY_HELP, KeyVelocity
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.system.terminal import has_keyboard
 
@@ -13,12 +24,15 @@ _REFUSAL_REASONS = {
     RequestStatus.NO_STATE: "no valid LowState arrives",
     RequestStatus.NOT_ARMED: "not armed: a + Enter arms",
     RequestStatus.LATCHED: "damping is latched: a + Enter arms again",
-    RequestStatus.BUSY: "busy: another request is pending, or torques fade; try again",
+    RequestStatus.BUSY: "busy: another request is pending, the robot stops walking, or torques "
+    "fade; try again",
+    RequestStatus.CANNOT_WALK: "the motors cannot carry this robot on two feet",
 }
 _NEXT_KEY = {
     Mode.PASSIVE: "u rises",
     Mode.RISE: "d sits down",
-    Mode.STAND: "d sits down",
+    Mode.STAND: "w walks, d sits down",
+    Mode.WALK: "s stops, d sits down",
     Mode.SIT: "u rises again",
     Mode.DAMPING: "a arms",
 }
@@ -29,7 +43,10 @@ def key_help(rise: bool) -> str:
     if not has_keyboard():
         return "no terminal, no keys"
     arms = "a + Enter arms" if rise else "a + Enter takes the robot over again in its present pose"
-    return f"x + Enter damps, d sits down, {arms}, u rises, q prints joint angles"
+    return (
+        f"x + Enter damps, d sits down, {arms}, u rises, w walks, s stops, {VELOCITY_HELP}, "
+        "q prints joint angles"
+    )
 
 
 class Operator:
@@ -47,11 +64,20 @@ class Operator:
     ) -> None:
         self._runner, self._robot, self._rise, self._print_line = runner, robot, rise, print_line
         self._keys = KeyboardLines(print_line)
+        self._velocity = KeyVelocity()
+        self._start_presses = 0
 
     def update(self, snapshot: RunSnapshot) -> None:
-        """Handle the lines typed since the last call."""
+        """Handle the lines typed since the last call, and send the velocity of a walking robot."""
         for line in self._keys.lines():
             self.handle_line(line.lower(), snapshot)
+        if snapshot.mode == Mode.WALK:
+            self._runner.set_velocity(self._velocity.velocity)
+        else:
+            self._velocity.reset()
+        if snapshot.start_presses > self._start_presses:
+            self._start_presses = snapshot.start_presses
+            self._print_refusal("START", snapshot.start_answer, snapshot)
 
     def discard_typed(self) -> bool:
         """Discard typed lines that were not read; return False if there is no keyboard."""
@@ -76,12 +102,29 @@ class Operator:
             self._print_refusal("up", self._runner.request(up), snapshot)
         elif word in ("d", "sit"):
             self._print_refusal("down", self._runner.request(Mode.SIT), snapshot)
+        elif word in ("w", "walk"):
+            self._print_refusal("walking", self._runner.request(Mode.WALK), snapshot)
+        elif word in ("s", "stand"):
+            self._print_refusal("standing", self._runner.request(Mode.STAND), snapshot)
         elif word == "q":
             self._print_line(f"{snapshot.time:7.2f} s joints [rad] {joints_text(snapshot)}")
-        else:
+        elif not self._change_velocity(word, snapshot):
             self._print_line(
                 f"{snapshot.time:7.2f} s '{word}': unknown key: {key_help(self._rise)}"
             )
+
+    def _change_velocity(self, line: str, snapshot: RunSnapshot) -> bool:
+        """Change the velocity and print it; return whether the line is about the velocity."""
+        try:
+            if not self._velocity.handle_line(line):
+                return False
+        except Error as problem:
+            self._print_line(f"{snapshot.time:7.2f} s {problem}")
+            return True
+        walks = snapshot.mode == Mode.WALK
+        text = f"velocity {self._velocity}" if walks else "velocity ignored: w walks first"
+        self._print_line(f"{snapshot.time:7.2f} s {text}")
+        return True
 
     def _print_refusal(self, what: str, status: RequestStatus, snapshot: RunSnapshot) -> None:
         if status == RequestStatus.ACCEPTED:
@@ -94,6 +137,14 @@ class Operator:
         self._print_line(f"{snapshot.time:7.2f} s {what} refused: {why}")
 
     def _not_ready(self, snapshot: RunSnapshot) -> str:
+        stops = {
+            info.id: info.name
+            for info in fault_table()
+            if info.stops_walking or info.reaction == FaultReaction.SIT
+        }
+        active = [stops[id] for id in snapshot.faults.active if id in stops]
+        if snapshot.mode != Mode.PASSIVE and active:
+            return f"fault {', '.join(active)}"
         failing = [name for name, check in snapshot.arming.checks.items() if is_failing(check)]
         if failing:
             return f"arming checks fail: {', '.join(failing)}"

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from surefoot._core import RiseStage, Robot, RunSnapshot, fault_table
+from surefoot._core import RiseStage, Robot, RunSnapshot, WalkLimit, fault_table
 from surefoot.messages.low_state_layout import LEGS
 
 _GROUND_STAGE_TEXT = {
@@ -63,8 +63,9 @@ def status_line(snapshot: RunSnapshot) -> str:
     """Return the state of the robot and the link in one line."""
     link = snapshot.link
     detail = ""  # height and tilt exist only while the stand controller estimates them
-    if snapshot.phase == "standing":
-        detail = f"height {snapshot.height:.3f} m, tilt {math.degrees(snapshot.tilt):.1f} deg, "
+    if snapshot.phase in ("standing", "walking"):
+        detail = walk_text(snapshot) if snapshot.phase == "walking" else ""
+        detail += f"height {snapshot.height:.3f} m, tilt {math.degrees(snapshot.tilt):.1f} deg, "
     elif snapshot.phase in ("rising", "sitting"):
         progress = f"{100 * snapshot.rise_progress:.0f} % of the way up, "
         detail = (
@@ -81,6 +82,15 @@ def status_line(snapshot: RunSnapshot) -> str:
         f"{1000 * snapshot.state_age:.0f} ms; tick {snapshot.tick_p50:.0f} us, "
         f"{snapshot.tick_p999:.0f} p99.9"
     )
+
+
+def walk_text(snapshot: RunSnapshot) -> str:
+    """Return the velocity of a walking robot, and the limit to which it was clamped."""
+    actual, limit = snapshot.reference_velocity, snapshot.velocity_limit
+    text = f"{actual.vx:.2f} {actual.vy:.2f} m/s {actual.yaw_rate:.2f} rad/s, "
+    text += f"gait {snapshot.gait.name.lower()}, "
+    text += f"limited ({limit.name.lower()}), " if limit != WalkLimit.NONE else ""
+    return text + ("stopping, " if snapshot.stopping else "")
 
 
 def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str) -> dict[str, Any]:

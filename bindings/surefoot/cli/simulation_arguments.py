@@ -28,8 +28,8 @@ def read_simulation(arguments: argparse.Namespace) -> dict[str, Any]:
     check_rate(arguments.rate)
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # not None, because a default robot is given
-    slope, heading = _parse_numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
-    payload, *position = _parse_numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
+    slope, heading = parse_numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
+    payload, *position = parse_numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
     plant = PlantSettings(
         sensors=arguments.sensors,
         foot_force=arguments.foot_force,
@@ -80,7 +80,7 @@ def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
     return load_gains(file, build_robot(robot).config.gains)
 
 
-def _parse_numbers(
+def parse_numbers(
     option: str, text: str, form: str, counts: tuple[int, ...], size: int
 ) -> tuple[float, ...]:
     """Parse numbers separated by colons, and append zeros until there are `size` numbers.

@@ -60,9 +60,10 @@ def add_plant_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGrou
     return group
 
 
-def add_flaw_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that make the simulated robot differ from the controller's model."""
-    add = parser.add_argument_group("model errors of motors and ground").add_argument
+def add_flaw_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
+    """Add the options of model errors, unknown to the controller; return their group."""
+    group = parser.add_argument_group("model errors of motors and ground")
+    add = group.add_argument
     add(
         "--delay-ms", type=float, default=0.0, metavar="MS", help="additional delay of commands (0)"
     )
@@ -85,6 +86,7 @@ def add_flaw_options(parser: argparse.ArgumentParser) -> None:
         metavar="M",
         help="how far standing feet sink in (0)",
     )
+    return group
 
 
 def add_tick_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:

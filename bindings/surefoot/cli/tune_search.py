@@ -31,7 +31,8 @@ _EPILOG = """\
 Every trial is evaluated on the same runs (random sensors, motors, payload and ground, three pushes
 each); the result is evaluated on held-out runs. Without --gain, the search varies frequency and
 damping of five tasks: sway, height, tilt, yaw and foot, named sway_frequency and so on. With
---store, an interrupted search can be resumed.
+--walk, every run is a walk (a turn, sideways, forward, two pushes, a stop), and the search varies
+gait and swing. With --store, an interrupted search can be resumed.
 
 exit status: 0 done, 1 a file could not be written (trials in the store are kept), 2 a wrong
 argument, store or cluster, 130 interrupted"""
@@ -53,11 +54,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add("--jobs", type=int, metavar="N", help="number of processes (one per core)")
     add("--cluster", metavar="tcp://HOST:PORT", help="Dask scheduler instead of local processes")
+    add("--walk", action="store_true", help="search the gains of walking instead of standing")
     add(
         "--objective",
-        default="balance",
         metavar="NAME[,NAME]",
-        help="balance, quiet, power; two for a Pareto front (balance)",
+        help="balance, quiet, power; with --walk: walk, pushes, transport; two for a Pareto front "
+        "(balance; walk)",
     )
     add(
         "--gain",
@@ -128,22 +130,21 @@ def run(arguments: argparse.Namespace) -> None:
 
 def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
     from surefoot.tune.search.settings import MAX_JOBS, SearchSettings
-    from surefoot.tune.search.space import default_space, parse_parameter
+    from surefoot.tune.search.space import parse_parameter
 
     start = own if arguments.start is None else load_gains(arguments.start, own)
     robot: str | tuple[str, str] = arguments.robot or "go1"
     if arguments.urdf is not None:
         robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))
-    names = arguments.gain
-    space = [parse_parameter(name) for name in names] if names else default_space()
     return SearchSettings(
         robot,
         start,
         trials=arguments.trials,
         jobs=arguments.jobs or min(os.cpu_count() or 1, MAX_JOBS),
         cluster=arguments.cluster,
-        objectives=tuple(arguments.objective.split(",")),
-        space=tuple(space),
+        walk=arguments.walk,
+        objectives=tuple(arguments.objective.split(",")) if arguments.objective else (),
+        space=tuple(parse_parameter(name) for name in arguments.gain or ()),
         episodes=arguments.episodes,
         held_out=arguments.held_out,
         sampler=arguments.sampler,

@@ -63,6 +63,7 @@ def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
         rate=arguments.rate,
         hung=arguments.hung,
         lying=arguments.lying,
+        walking=arguments.walking,
         drop=arguments.drop,
         delay=arguments.delay_ms / 1000.0,
         jitter=arguments.jitter_ms / 1000.0,

@@ -52,6 +52,11 @@ def _add_robot_group(parser: argparse.ArgumentParser) -> None:
         "--lying", action="store_true", help="on the ground, random leg pose, no torque"
     )
     add(
+        "--walking",
+        action="store_true",
+        help="sensor errors, soft soles and leg collisions of a walking robot",
+    )
+    add(
         "--timeout-ms",
         type=float,
         default=100.0,

@@ -11,11 +11,12 @@ from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
 from surefoot.cli.output_files import check_json_path, check_report_folder
 from surefoot.cli.progress import progress_bar
-from surefoot.cli.simulation_arguments import read_simulation
+from surefoot.cli.simulation_arguments import parse_numbers, read_simulation
 from surefoot.cli.simulation_output import write_outputs
 from surefoot.robot.robot_toml import suggest
 
 if TYPE_CHECKING:
+    from surefoot.sim import Terrain
     from surefoot.walk import WalkSettings
 
 REPORT_MODULE = "surefoot.walk.report"
@@ -61,9 +62,30 @@ def read_settings(arguments: argparse.Namespace) -> WalkSettings:
         walking_sensors=True,
         soft_soles=not arguments.rigid_soles,
         leg_collisions=True,
+        terrain=read_terrain(arguments),
     )
     velocities = tuple(parse_velocity(text) for text in arguments.velocity)
-    return WalkSettings(**simulation, velocities=velocities, gait=read_gait(arguments.gait))
+    return WalkSettings(
+        **simulation,
+        velocities=velocities,
+        gait=read_gait(arguments.gait),
+        lost_frames=arguments.lost_frames,
+    )
+
+
+def read_terrain(arguments: argparse.Namespace) -> Terrain:
+    """Return the terrain that --step, --stairs and --blocks give; raise Error if one is wrong."""
+    from surefoot.sim import Terrain
+
+    step, heading = parse_numbers("--step", arguments.step, "HEIGHT[:HEADING]", (1, 2), 2)
+    stairs = {}
+    if arguments.stairs != "0":
+        height, tread = parse_numbers("--stairs", arguments.stairs, "HEIGHT:TREAD", (2,), 2)
+        stairs = {"stairs_height": height, "stairs_tread": tread}
+    terrain = Terrain(
+        step_height=step, step_heading_deg=heading, block_height=arguments.blocks, **stairs
+    )
+    return terrain if terrain.is_flat else replace(terrain, seed=arguments.seed)
 
 
 def read_gait(text: str) -> Gait:

@@ -30,7 +30,14 @@ def add_walk_options(parser: argparse.ArgumentParser) -> None:
     plant.add_argument(
         "--rigid-soles", action="store_true", help="feet with rigid soles instead of soft ones"
     )
-    add_flaw_options(parser)
+    _add_terrain_options(plant)
+    add_flaw_options(parser).add_argument(
+        "--lost-frames",
+        type=float,
+        default=0.0,
+        metavar="PERCENT",
+        help="share of LowStates and of LowCmds lost (0)",
+    )
     controller = add_tick_options(parser)
     controller.add_argument(
         "--velocity", action="append", default=[], metavar="VELOCITY", help=_VELOCITY_HELP
@@ -45,3 +52,23 @@ def add_walk_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument_group("results").add_argument
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
     add("--report", metavar="DIR", help="write film, plots, index.html and summary.json")
+
+
+def _add_terrain_options(group: argparse._ArgumentGroup) -> None:
+    """Add the options of the terrain, of which only one may be given."""
+    group.add_argument(
+        "--step",
+        default="0",
+        metavar="HEIGHT[:HEADING]",
+        help="platform ahead, up and down again; m, edges turned by degrees to the left (0)",
+    )
+    group.add_argument(
+        "--stairs", default="0", metavar="HEIGHT:TREAD", help="five steps up and down; m, m (0)"
+    )
+    group.add_argument(
+        "--blocks",
+        type=float,
+        default=0.0,
+        metavar="HEIGHT",
+        help="blocks ahead, random heights up to this one; m (0)",
+    )

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from surefoot.faults.expectation import REFUSE, Expectation
 from surefoot.faults.kinds.fault import Fault
 
-MODES = ("lying", "rising", "standing", "pushed")
+MODES = ("lying", "rising", "standing", "pushed", "walking")
 STANDING_MODES = ("standing", "pushed")
+ON_FEET_MODES = (*STANDING_MODES, "walking")
 
 
 @dataclass(frozen=True)
@@ -62,6 +63,7 @@ def case(
     level: int | None = None,
     slow_descent: bool = False,
     pushed: Expectation | None = None,
+    walking: Expectation | None = None,
 ) -> Case:
     """Return a case that has one expectation for most of its modes.
 
@@ -69,7 +71,7 @@ def case(
         injection: See Case.
         description: See Case.
         make_fault: See Case.
-        not_lying: Expectation for the modes rising, standing and pushed.
+        not_lying: Expectation for all modes except lying.
         lying: Expectation for the mode lying; None: no cell for this mode.
         rising: Expectation for the mode rising; None: `not_lying`.
         modes: Modes for which the case has cells.
@@ -77,12 +79,15 @@ def case(
         level: See Case.
         slow_descent: See Case.
         pushed: Expectation for the mode pushed; None: `not_lying`.
+        walking: Expectation for the mode walking; None: `not_lying`.
     """
     expected = {mode: not_lying for mode in modes}
     if "rising" in expected and rising is not None:
         expected["rising"] = rising
     if "pushed" in expected and pushed is not None:
         expected["pushed"] = pushed
+    if "walking" in expected and walking is not None:
+        expected["walking"] = walking
     if "lying" in expected:
         del expected["lying"]
         if lying is not None:

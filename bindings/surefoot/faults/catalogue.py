@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
 from surefoot._core import Error
-from surefoot.faults.case import Case, Row
+from surefoot.faults.case import ON_FEET_MODES, Case, Row
 from surefoot.faults.expectation import Expectation
 from surefoot.faults.rows import (
     attitude,
@@ -58,7 +58,7 @@ class Cell:
     @property
     def can_start_standing(self) -> bool:
         """True if the cell can also run with a robot that stands when the supervisor starts."""
-        return self.mode in ("standing", "pushed") and not self.case.make_fault().from_start
+        return self.mode in ON_FEET_MODES and not self.case.make_fault().from_start
 
     @property
     def expectation(self) -> Expectation:

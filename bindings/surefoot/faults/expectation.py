@@ -7,6 +7,8 @@ from enum import Enum
 
 from surefoot._core import Error, FaultReaction, fault_table
 
+# [s] Time in which a walking robot stops before it sits down: kStopTime (supervisor_walk.cpp).
+STOP_TIME = 1.5
 MAX_HOLD_TIME = 0.010  # [s] longest command hold: kHoldTime (common/command_times.hpp)
 TIME_TOLERANCE = 1e-9  # [s] tolerance of times. Numerical: rounding of sums of control periods
 
@@ -16,6 +18,7 @@ class Reaction(Enum):
 
     WATCH = "goes on"
     DEGRADE = "goes on with less"
+    STAND = "stops and stands"
     SIT = "sits down"
     DAMP = "damps, latched"
     REFUSE = "refuses"
@@ -30,8 +33,8 @@ class Expectation:
         reaction: Expected reaction.
         within: Longest allowed time until the reaction [s]. The time counts from the first
             period in which Fault.is_observable() returns True. The reaction SIT begins with the
-            descent. For REFUSE: time from the onset of the fault; after this time, all requests
-            must be refused.
+            descent; a walking robot may stop for STOP_TIME before it. For REFUSE: time from the
+            onset of the fault; after this time, all requests must be refused.
         fault: Name of the fault in fault_table() that the supervisor must report; "" for none.
         alternative: Name of a fault in fault_table(). If the supervisor detects this fault, damping
             is a correct reaction too. Needed for faults that the supervisor may or may not detect,
@@ -80,6 +83,18 @@ def table_expectation(fault: str, delay: float = 0.0) -> Expectation:
     """
     row = _table_row(fault)
     return replace(row, within=row.within + delay)
+
+
+def expect_stand(fault: str, delay: float = 0.0, alternative: str = "") -> Expectation:
+    """Return the expectation that a walking robot reports a fault, stops and stands.
+
+    Args:
+        fault: Name of the fault; "" for none.
+        delay: Time from the injection until the detection time of the table begins [s].
+        alternative: See Expectation.
+    """
+    within = next((i.stepping_detection_time for i in fault_table() if i.name == fault), 0.0)
+    return Expectation(Reaction.STAND, within + delay, fault, alternative)
 
 
 def expect_sit(fault: str, delay: float = 0.0) -> Expectation:

@@ -6,18 +6,26 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from surefoot._core import BodyReference, Error, Mode, RequestStatus
+from surefoot._core import BodyReference, Error, Gait, Mode, RequestStatus, WalkVelocity
 from surefoot.robot.gain_files import gain_values, gains_from_values
 
 _AXES = ("x", "y", "height", "roll", "pitch", "yaw")
+_VELOCITY = ("vx", "vy", "yaw_rate")
 
 
 @dataclass(frozen=True)
 class _CallCodec:
-    """Functions that convert a call's argument to JSON and back; None: the call has no argument."""
+    """Functions that convert a call's argument to JSON and back; None: the call has no argument.
+
+    Attributes:
+        to_json: Function that converts the argument to JSON.
+        from_json: Function that converts JSON to the argument.
+        is_attribute: True: the call sets an attribute of the controller.
+    """
 
     to_json: Callable[[Any], Any] | None = None
     from_json: Callable[[Any], Any] | None = None
+    is_attribute: bool = False
 
 
 CALLS = {
@@ -30,6 +38,11 @@ CALLS = {
         lambda body: {axis: getattr(body, axis) for axis in _AXES},
         lambda axes: BodyReference(**axes),
     ),
+    "set_velocity": _CallCodec(
+        lambda velocity: {axis: getattr(velocity, axis) for axis in _VELOCITY},
+        lambda axes: WalkVelocity(**axes),
+    ),
+    "gait": _CallCodec(lambda gait: gait.name, lambda name: Gait[name], is_attribute=True),
     "set_gains": _CallCodec(gain_values, gains_from_values),
 }
 """Calls that a recording contains, by the name of the controller's method."""
@@ -72,14 +85,29 @@ def repeat_call(controller: Any, name: str, argument: Any) -> str:
         Error: The controller has no such method, or the argument is invalid.
     """
     codec = _codec(name)
-    method = getattr(controller, name, None)
-    if method is None:
-        raise Error(f"log: got call '{name}', expected a method of {type(controller).__name__}")
     try:
         arguments = () if codec.from_json is None else (codec.from_json(argument),)
     except (KeyError, TypeError, AttributeError) as problem:
         raise Error(f"log: call '{name}': got argument {argument!r} ({problem})") from None
-    return answer_name(method(*arguments))
+    return answer_name(make_call(controller, name, *arguments))
+
+
+def make_call(controller: Any, name: str, *arguments: Any) -> Any:
+    """Call a method of the controller, or set its attribute; return the result of the method.
+
+    Args:
+        controller: Controller to call.
+        name: Name of the call in CALLS.
+        arguments: The argument of the call; none if the call has no argument.
+
+    Raises:
+        Error: The controller has no such method or attribute.
+    """
+    if not hasattr(type(controller), name):
+        raise Error(f"call: got '{name}', expected a method of {type(controller).__name__}")
+    if _codec(name).is_attribute:
+        return setattr(controller, name, *arguments)
+    return getattr(controller, name)(*arguments)
 
 
 def answer_name(answer: Any) -> str:

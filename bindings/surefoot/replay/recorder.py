@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import Error, Gains, LowCmd, LowState, Robot
-from surefoot.replay.calls import answer_name, json_argument
+from surefoot._core import Gains, LowCmd, LowState, Robot
+from surefoot.replay.calls import answer_name, json_argument, make_call
 from surefoot.replay.recording import (
     Call,
     Controller,
@@ -26,14 +26,15 @@ class Recorder:
 
     Args:
         robot: Model of the robot.
-        options: ControllerOptions for a StandController, SupervisorOptions for a Supervisor.
+        options: ControllerOptions for a StandController, WalkOptions for a WalkController,
+            SupervisorOptions for a Supervisor.
         gains: Gains of the controller; None: the robot's own gains.
 
     Raises:
         Error: The constructor of the controller raised this error, for example for an invalid gain.
 
     Attributes:
-        controller: The controller, a StandController or a Supervisor.
+        controller: The controller, of the class that fits the options.
     """
 
     def __init__(self, robot: Robot, options: Options, gains: Gains | None = None) -> None:
@@ -53,22 +54,17 @@ class Recorder:
         return command
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """Call a method of the controller, record the call, and return its result.
+        """Call a method of the controller or set an attribute, record it, and return the result.
 
         Args:
-            name: Name of the method, one of calls.CALLS.
-            arguments: The argument of the method; none if the method has no argument.
+            name: Name of the method or attribute, one of calls.CALLS.
+            arguments: The argument of the method, or the value; none if there is no argument.
 
         Raises:
             Error: The controller has no such method, or the arguments do not fit the method.
         """
         argument = json_argument(name, *arguments)
-        method = getattr(self.controller, name, None)
-        if method is None:
-            raise Error(
-                f"call: got '{name}', expected a method of {type(self.controller).__name__}"
-            )
-        answer = method(*arguments)
+        answer = make_call(self.controller, name, *arguments)
         self._calls.append(Call(len(self._samples), name, argument, answer_name(answer)))
         return answer
 

@@ -16,17 +16,20 @@ from surefoot._core import (
     StandController,
     Supervisor,
     SupervisorOptions,
+    WalkController,
+    WalkOptions,
 )
 from surefoot.replay.build_id import build_id
 from surefoot.replay.options_json import json_options, options_from_json
 from surefoot.robot.gain_files import gain_values, gains_from_values
 
 Bytes = npt.NDArray[np.uint8]
-Options = ControllerOptions | SupervisorOptions
-Controller = StandController | Supervisor
+Options = ControllerOptions | WalkOptions | SupervisorOptions
+Controller = StandController | WalkController | Supervisor
 
 _CONTROLLERS: dict[str, tuple[type[Controller], type[Options]]] = {
     "StandController": (StandController, ControllerOptions),
+    "WalkController": (WalkController, WalkOptions),
     "Supervisor": (Supervisor, SupervisorOptions),
 }
 
@@ -58,7 +61,7 @@ class Recording:
     count_samples()).
 
     Attributes:
-        kind: "StandController" or "Supervisor".
+        kind: "StandController", "WalkController" or "Supervisor".
         robot: Name of the robot.
         gains: Gains passed to the constructor, by name.
         options: Options passed to the constructor, by name.
@@ -94,7 +97,7 @@ def make_controller(robot: Robot, gains: Gains, kind: str, options: dict[str, An
     Args:
         robot: Model of the robot.
         gains: Gains of the controller.
-        kind: "StandController" or "Supervisor".
+        kind: "StandController", "WalkController" or "Supervisor".
         options: Options as JSON values by name.
 
     Raises:
@@ -114,7 +117,7 @@ def controller_kind(options: Options) -> str:
     """Return the kind of the controller that has these options.
 
     Raises:
-        Error: `options` is neither ControllerOptions nor SupervisorOptions.
+        Error: `options` is of another class.
     """
     for kind, (_, options_class) in _CONTROLLERS.items():
         if isinstance(options, options_class):

@@ -8,12 +8,13 @@ from surefoot.sim.flaws import Flaws
 from surefoot.sim.physics.external_lift import Lift
 from surefoot.sim.plant import Plant
 from surefoot.sim.settings import PlantSettings, Push
+from surefoot.sim.terrain import Terrain
 from surefoot.sim.truth import Truth
 
 if TYPE_CHECKING:
     from surefoot.sim.render import Renderer
 
-__all__ = ["Flaws", "Lift", "Plant", "PlantSettings", "Push", "Renderer", "Truth"]
+__all__ = ["Flaws", "Lift", "Plant", "PlantSettings", "Push", "Renderer", "Terrain", "Truth"]
 
 
 def __getattr__(name: str) -> Any:

@@ -8,6 +8,7 @@ from surefoot._core import Error
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
+from surefoot.sim.terrain import Terrain
 
 # [s] Physics step of scorecard and fault matrix: twice the default, so that the runs take half of
 # the time. Push limits are the same with both steps. Upper bound: a fifth of the time constant of
@@ -46,6 +47,7 @@ class PlantSettings:
             0: rigid ground; 0.1 mm or more: a spring and a damper (sim/model/soft_ground.py).
         slope_deg: Slope of the ground [deg]; gravity stays along world z.
         slope_heading_deg: Direction of steepest ascent, from forward towards left [deg].
+        terrain: Platform, stairs or blocks on level ground (sim/terrain.py).
         payload_kg: Mass welded to the trunk, unknown to the controller [kg].
         payload_position: Centre of the payload in the base frame [m].
         control_rate: Rate of LowCmd and LowState [Hz].
@@ -74,6 +76,7 @@ class PlantSettings:
     soft_ground_sink: float = 0.0
     slope_deg: float = 0.0
     slope_heading_deg: float = 0.0
+    terrain: Terrain = field(default_factory=Terrain)
     payload_kg: float = 0.0
     payload_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     control_rate: float = 500.0  # dt = 0.002 s of the SDK's examples
@@ -124,6 +127,7 @@ class PlantSettings:
             )
         if self.hung and self.slope_deg:
             raise Error(f"slope_deg: got {self.slope_deg:g}, expected 0 for a hung robot")
+        self._check_terrain()
         self._check_position()
         self._check_physics_dt()
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
@@ -172,6 +176,16 @@ class PlantSettings:
             raise Error(
                 "moving ground: got it together with a second one, a slope, soft ground, soft "
                 "soles or a hung robot, expected platform_heading_deg or block_foot alone"
+            )
+
+    def _check_terrain(self) -> None:
+        if not isinstance(self.terrain, Terrain):
+            raise Error(f"terrain: got {self.terrain!r}, expected a Terrain")
+        moving = self.block_foot is not None or self.platform_heading_deg is not None
+        if not self.terrain.is_flat and (moving or self.hung or self.slope_deg != 0.0):
+            raise Error(
+                "terrain: got it together with a slope, moving ground or a hung robot, expected "
+                "level ground"
             )
 
     def _check_physics_dt(self) -> None:

@@ -32,7 +32,8 @@ class Truth:
         com_velocity: (3,) velocity of the centre of mass [m/s].
         tau: (12,) true motor torque, SDK order [N.m].
         dq: (12,) true joint velocity, on the link's side of the gear, SDK order [rad/s].
-        fell: Whether a part other than a foot touches the ground, or the tilt exceeds 60 deg.
+        fell: Whether a part other than a foot touches the ground, a part other than a foot or a
+            calf the terrain, or the tilt exceeds 60 deg.
     """
 
     time: float
@@ -76,13 +77,18 @@ def measure_truth(
 
 
 def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether a part other than a foot touches the ground, or the tilt exceeds 60 deg."""
+    """Return Truth.fell."""
     # The comparison is negated so that NaN counts as fallen.
     if not data.xmat[handles.root, 8] >= FALLEN_TILT_COS:
         return True
     # Plain Python is faster than numpy for so few contacts.
     ground, feet = handles.ground_geoms, handles.foot_geoms.tolist()
+    terrain, calves = handles.terrain_geoms, handles.calf_geoms
     for geom1, geom2 in data.contact.geom.tolist():
         if (geom1 in ground and geom2 not in feet) or (geom2 in ground and geom1 not in feet):
             return True
+        if geom1 in terrain or geom2 in terrain:
+            part = geom2 if geom1 in terrain else geom1
+            if part not in feet and part not in calves:
+                return True
     return False

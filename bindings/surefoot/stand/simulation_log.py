@@ -81,6 +81,10 @@ class SimulationLog:
     tick_us: Array
     commands: npt.NDArray[np.uint8]
 
+    def __len__(self) -> int:
+        """Return the number of ticks."""
+        return len(self.time)
+
     @property
     def rate(self) -> float:
         """Control rate [Hz]."""

@@ -1,4 +1,4 @@
-"""Cost of a run: one number for how well a robot stood.
+"""Cost of a run: one number for how well a robot stood. walk_cost.py has that of a walk.
 
 A term has the value 1 when an engineer beside the robot begins to notice the deviation. An
 objective is a weighted sum of terms, limited to FALL_COST. A fall adds between FALL_COST and
@@ -52,8 +52,8 @@ class Cost:
 
     Attributes:
         value: Weighted sum of the terms, plus terms["fall"].
-        terms: All terms of TERMS, and "fall". terms["fall"] is 0 without a fall, else FALL_COST to
-            2 FALL_COST.
+        terms: All terms of TERMS or WALK_TERMS, and "fall". terms["fall"] is 0 without a fall, else
+            FALL_COST to 2 FALL_COST.
     """
 
     value: float
@@ -72,26 +72,39 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
     Raises:
         Error: The objective is unknown, or the trace has no rows.
     """
-    weights = objective_weights(objective)
+    weights = objective_weights(objective, OBJECTIVES)
     if len(trace) == 0:
         raise Error("cost: got a trace without rows, expected at least one")
-    terms = _cost_terms(trace)
-    planned_rows = max(expected_rows or len(trace), 1)
-    terms["fall"] = FALL_COST * (2.0 - min(len(trace) / planned_rows, 1.0)) if trace.fell else 0.0
+    share = len(trace) / max(expected_rows or len(trace), 1)
+    return weighted_cost(_cost_terms(trace), weights, trace.fell, share)
+
+
+def weighted_cost(
+    terms: dict[str, float], weights: dict[str, float], fell: bool, share: float
+) -> Cost:
+    """Return the cost of a run.
+
+    Args:
+        terms: Value of each term; may be NaN or infinite.
+        weights: Weight of each term of the objective.
+        fell: Whether the robot fell.
+        share: Share of the planned run that was simulated, 0 .. 1.
+    """
+    fall = FALL_COST * (2.0 - min(share, 1.0)) if fell else 0.0
     # A diverged simulation makes terms NaN or infinite. Replace each such term by FALL_COST.
     terms = {
         name: float(np.nan_to_num(term, nan=FALL_COST, posinf=FALL_COST))
-        for name, term in terms.items()
+        for name, term in {**terms, "fall": fall}.items()
     }
-    value = min(sum(weights[name] * terms[name] for name in weights), FALL_COST) + terms["fall"]
+    value = min(sum(weights[name] * terms[name] for name in weights), FALL_COST) + fall
     return Cost(value, terms)
 
 
-def objective_weights(objective: str) -> dict[str, float]:
-    """Return the weights of an objective; raise Error if the name is unknown."""
-    if objective not in OBJECTIVES:
-        raise Error(f"objective: got '{objective}', expected one of {', '.join(OBJECTIVES)}")
-    return OBJECTIVES[objective]
+def objective_weights(objective: str, objectives: dict[str, dict[str, float]]) -> dict[str, float]:
+    """Return the weights of one of the objectives; raise Error if the name is unknown."""
+    if objective not in objectives:
+        raise Error(f"objective: got '{objective}', expected one of {', '.join(objectives)}")
+    return objectives[objective]
 
 
 def _cost_terms(trace: Trace) -> dict[str, float]:

@@ -27,6 +27,8 @@ class VirtualRobotSettings:
         rate: LowStates per second [Hz]; the period must be a whole number of milliseconds.
         hung: True: the base is fixed in the air, and the legs are free.
         lying: True: the robot starts lying in a random leg pose with damping motors.
+        walking: True: the robot has the sensor errors, soft soles and leg collisions of a walking
+            robot (PlantSettings.walking_sensors, soft_soles, leg_collisions).
         drop: Share of lost datagrams in each direction [%].
         delay: Delay of every datagram in each direction [s].
         jitter: Upper limit of an additional random delay in each direction [s]; uniform from 0.
@@ -43,6 +45,7 @@ class VirtualRobotSettings:
     rate: float = 1000.0
     hung: bool = False
     lying: bool = False
+    walking: bool = False
     drop: float = 0.0
     delay: float = 0.0
     jitter: float = 0.0
@@ -97,5 +100,8 @@ class VirtualRobotSettings:
             foot_force="est" if has_force_estimate else "raw",
             control_rate=self.rate,
             hung=self.hung,
+            walking_sensors=self.walking,
+            soft_soles=self.walking,
+            leg_collisions=self.walking,
             seed=self.seed,
         )

@@ -2,7 +2,7 @@
 
 from surefoot.walk.metrics import summarise
 from surefoot.walk.settings import WalkSettings
-from surefoot.walk.simulation_loop import run_walk
+from surefoot.walk.simulation_loop import run_walk, simulate_walk
 from surefoot.walk.summary_fields import FIELDS
 from surefoot.walk.velocity_request import VelocityRequest, parse_velocity
 from surefoot.walk.walk_log import WalkLog
@@ -14,5 +14,6 @@ __all__ = [
     "WalkSettings",
     "parse_velocity",
     "run_walk",
+    "simulate_walk",
     "summarise",
 ]

@@ -13,6 +13,7 @@ from surefoot.walk.heading_frame import attitude_on_ground, heading_velocity
 from surefoot.walk.steps import LOADED
 from surefoot.walk.velocity_request import velocity_ticks
 from surefoot.walk.walk_log import WalkLog
+from surefoot.walk.walk_motion import WalkMotion
 
 # [s] Time after a command that its figures leave out: the robot accelerates. Chosen: longer than
 # the acceleration to the largest velocity.
@@ -38,7 +39,7 @@ def command_figures(log: WalkLog) -> list[dict[str, Any]]:
                 "time": request.time,
                 "commanded_velocity": log.commanded[start],
                 "limit": WalkLimit(int(log.limit[start])).name.lower(),
-                **_window_figures(log, window),
+                **window_figures(log, window),
             }
         )
     return entries
@@ -69,7 +70,11 @@ _NO_FIGURES: dict[str, Any] = {
 }
 
 
-def _window_figures(log: WalkLog, window: slice) -> dict[str, Any]:
+def window_figures(log: WalkMotion, window: slice) -> dict[str, Any]:
+    """Return velocity errors, attitude, cost of transport and torque noise over some ticks.
+
+    Each is None if the window is empty.
+    """
     if window.start >= window.stop:
         return dict(_NO_FIGURES)
     velocity = heading_velocity(log)[window]
@@ -86,7 +91,7 @@ def _window_figures(log: WalkLog, window: slice) -> dict[str, Any]:
     }
 
 
-def _cost_of_transport(log: WalkLog, window: slice, velocity: Array) -> float | None:
+def _cost_of_transport(log: WalkMotion, window: slice, velocity: Array) -> float | None:
     speed = float(np.linalg.norm(velocity[:, :2].mean(axis=0)))
     if speed < MIN_SPEED:
         return None

@@ -5,24 +5,24 @@ from __future__ import annotations
 import numpy as np
 
 from surefoot.geometry.batch_rotations import matrices_from_xyzw, rpy_from_matrices
-from surefoot.geometry.rotations import matrix_from_wxyz, slope_quaternion
+from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.stand.simulation_log import Array
 from surefoot.walk.walk_log import WalkLog
+from surefoot.walk.walk_motion import WalkMotion
 
 
-def attitude_on_ground(log: WalkLog) -> Array:
+def attitude_on_ground(log: WalkMotion) -> Array:
     """Return the true roll, pitch, yaw (n, 3) [rad] of the base relative to the ground plane.
 
     On level ground these are the usual angles. The yaw has no jumps of 2 pi.
     """
-    plant = log.settings.plant
-    ground = matrix_from_wxyz(slope_quaternion(plant.slope_deg, plant.slope_heading_deg))
+    ground = _shortest_rotation(log.ground_normal)
     rpy = rpy_from_matrices(ground.T @ matrices_from_xyzw(log.q_true[:, 3:7]))
     rpy[:, 2] = np.unwrap(rpy[:, 2])
     return rpy
 
 
-def heading_velocity(log: WalkLog) -> Array:
+def heading_velocity(log: WalkMotion) -> Array:
     """Return the true velocity (n, 3): vx, vy [m/s] of the centre of mass, yaw rate [rad/s].
 
     The velocity is horizontal, along and to the left of the heading, as a WalkVelocity. The yaw
@@ -47,3 +47,9 @@ def commanded_path(log: WalkLog) -> Array:
     dx, dy = c * step[:, 0] - s * step[:, 1], s * step[:, 0] + c * step[:, 1]
     x, y = log.com[0, 0] + np.cumsum(dx) - dx, log.com[0, 1] + np.cumsum(dy) - dy
     return np.stack([x, y, yaw], axis=1)
+
+
+def _shortest_rotation(normal: Array) -> Array:
+    """Return the shortest rotation (3, 3) of the vertical to a unit normal."""
+    wxyz = np.array([1.0 + normal[2], -normal[1], normal[0], 0.0])
+    return matrix_from_wxyz(wxyz / np.linalg.norm(wxyz))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import FallbackLevel, Status
+from surefoot._core import FallbackLevel, Robot, Status
 from surefoot.files.json_values import json_value
 from surefoot.stand.conditions import describe_conditions
 from surefoot.stand.foot_frame import feet_heading, foot_positions, wrap_angle
@@ -47,6 +47,12 @@ def _walk_conditions(log: WalkLog) -> dict[str, Any]:
         "walking_sensors": plant.walking_sensors and plant.real,
         "soft_soles": plant.soft_soles,
         "leg_collisions": plant.leg_collisions,
+        "step_height": plant.terrain.step_height,
+        "step_heading_deg": plant.terrain.step_heading_deg,
+        "stairs_height": plant.terrain.stairs_height,
+        "stairs_tread": plant.terrain.stairs_tread,
+        "block_height": plant.terrain.block_height,
+        "lost_frames": log.settings.lost_frames,
     }
 
 
@@ -75,12 +81,17 @@ def stands_at_end(log: WalkLog) -> bool:
 
 
 def stance_error(log: WalkLog) -> float:
-    """Return the largest distance of a foot from its place in the standing pose, at the end [m].
+    """Return foot_displacement() at the end [m]."""
+    return foot_displacement(log.robot, log.feet[-1])
 
-    The places are relative to the mean and the heading of the true feet.
+
+def foot_displacement(robot: Robot, feet: Array) -> float:
+    """Return the largest distance of a foot from its place in the standing pose [m].
+
+    The places are relative to the mean and the heading of the feet (3, 4).
     """
-    nominal = foot_positions(log.robot, np.asarray(log.robot.q_standing())[None])[0]
-    offset = _centred_feet(log.feet[-1]) - _centred_feet(nominal)
+    nominal = foot_positions(robot, np.asarray(robot.q_standing())[None])[0]
+    offset = _centred_feet(feet) - _centred_feet(nominal)
     return float(np.linalg.norm(offset, axis=0).max())
 
 

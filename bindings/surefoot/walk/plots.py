@@ -15,6 +15,7 @@ from surefoot.walk.walk_log import WalkLog
 
 LEG_COLORS = (BLUE, ORANGE, GREEN, RED)
 _PATH_COLOR = "#1f252b"
+_TERRAIN_COLOR = "#b59b6d"
 
 
 def draw_velocity(log: WalkLog) -> Figure:
@@ -45,6 +46,8 @@ def draw_footsteps(log: WalkLog) -> Figure:
     figure = Figure(figsize=(9.2, float(np.clip(1.2 + 8.0 * height / width, 3.0, 9.2))))
     figure.set_layout_engine("constrained")
     ax = figure.subplots()
+    for box in log.settings.plant.terrain.boxes():
+        ax.fill(*box.corners().T, color=_TERRAIN_COLOR, alpha=_terrain_shade(box.height), zorder=0)
     ax.plot(path[:, 0], path[:, 1], color=GREY, ls="--", label="integrated command")
     ax.plot(log.com[:, 0], log.com[:, 1], color=_PATH_COLOR, label="centre of mass")
     for leg, color in enumerate(LEG_COLORS):
@@ -52,11 +55,19 @@ def draw_footsteps(log: WalkLog) -> Figure:
         middle = [(phase.start + phase.end) // 2 for phase in stances]
         x, y = log.feet[middle, 0, leg], log.feet[middle, 1, leg]
         ax.scatter(x, y, s=20.0, color=color, alpha=0.8, label=LEGS[leg])
+    margin = 0.1 * float(np.max(high - low))
+    ax.set_xlim(low[0] - margin, high[0] + margin)  # a terrain may be wider
+    ax.set_ylim(low[1] - margin, high[1] + margin)
     ax.set_aspect("equal", adjustable="datalim")
     ax.set_xlabel("x, forward at the start [m]")
     ax.set_ylabel("y, to the left [m]")
     figure.legend(loc="outside upper right", ncols=6)
     return figure
+
+
+def _terrain_shade(height: float) -> float:
+    """Return the opacity of a box; the boxes of stairs overlap, so the highest is darkest."""
+    return 0.1 + 0.4 * min(1.0, height / 0.1)
 
 
 def draw_gait(log: WalkLog) -> Figure:
@@ -95,7 +106,8 @@ PLOTS: tuple[Plot[WalkLog], ...] = (
         "footsteps.png",
         "Footsteps from above",
         "True places of the feet in the middle of each stance phase, and the true path of the "
-        "centre of mass. The integrated command has neither acceleration nor pushes.",
+        "centre of mass, on the terrain. The integrated command has neither acceleration nor "
+        "pushes.",
         draw_footsteps,
     ),
     Plot(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from surefoot._core import Error, Gait, WalkOptions
+from surefoot.robot.setting_checks import check_number
 from surefoot.sim import PlantSettings
 from surefoot.stand import SimulationSettings
 from surefoot.walk.velocity_request import VelocityRequest
@@ -26,14 +27,19 @@ class WalkSettings(SimulationSettings):
             soft soles and leg collisions.
         velocities: Commanded velocities, in any order; the velocity is 0 before the first one.
         gait: Gait of the controller.
+        lost_frames: Share of frames lost in each direction [%]. When a LowState is lost, the
+            controller receives the one before again; when a LowCmd is lost, the motors keep the one
+            before.
     """
 
     plant: PlantSettings = field(default_factory=walking_plant)
     velocities: tuple[VelocityRequest, ...] = ()
     gait: Gait = Gait.AUTO
+    lost_frames: float = 0.0
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        check_number("lost_frames", self.lost_frames, 0.0, 90.0)
         times = [request.time for request in self.velocities]
         for request in self.velocities:
             self.check_time(f"velocity '{request}'", request.time)

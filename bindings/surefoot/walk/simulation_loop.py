@@ -5,6 +5,7 @@ The loop logs the true state, the estimates and the commands of every tick.
 
 from __future__ import annotations
 
+import copy
 from time import thread_time_ns
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 
 from surefoot._core import WalkController, WalkVelocity
 from surefoot.sim import Plant, Truth
+from surefoot.sim.lost_frames import lost_frames
 from surefoot.stand.log_recorder import LogRecorder, log_header
 from surefoot.stand.reference_request import body_references
 from surefoot.stand.simulation_loop import Progress, make_plant
@@ -47,7 +49,23 @@ def run_walk(settings: WalkSettings, progress: Progress | None = None) -> WalkLo
         Error: The robot is unknown, or a gain, an option or a push is out of range. The error is
             raised before the first tick.
     """
-    plant = make_plant(settings)
+    return simulate_walk(make_plant(settings), settings, progress)
+
+
+def simulate_walk(
+    plant: Plant, settings: WalkSettings, progress: Progress | None = None
+) -> WalkLog:
+    """Simulate a walk on a plant that exists; repeated runs on one plant give equal logs.
+
+    Args:
+        plant: Result of make_plant(settings). The function resets the plant first.
+        settings: Settings of the run; its gains may differ from those of an earlier run.
+        progress: Function that is called after every tick.
+
+    Raises:
+        Error: A gain or an option is out of range.
+    """
+    state = plant.reset()
     gains = settings.gains or plant.robot.config.gains
     controller = WalkController(plant.robot, gains, settings.walk_options)
     controller.gait = settings.gait
@@ -56,7 +74,8 @@ def run_walk(settings: WalkSettings, progress: Progress | None = None) -> WalkLo
     references = body_references(settings.references, settings.plant.control_rate)
     header = log_header(settings, plant)
     recorder = LogRecorder(settings.ticks, plant.robot.nq, plant.robot.nv, _ARRAYS)
-    state, velocity = plant.reset(), WalkVelocity()
+    lost = lost_frames(settings.lost_frames, settings.plant.seed, settings.ticks)
+    velocity, received, applied = WalkVelocity(), state, None
     truth = plant.truth
     touching: frozenset[tuple[str, str]] = frozenset()
     for k in range(settings.ticks):
@@ -64,14 +83,16 @@ def run_walk(settings: WalkSettings, progress: Progress | None = None) -> WalkLo
         if k in references:
             controller.set_body_reference(references[k])
         controller.set_velocity(velocity)  # in every tick: a velocity times out
+        received = received if lost[0, k] else state
         start = thread_time_ns()
-        command = controller.update(state)
+        command = controller.update(received)
         tick_us = (thread_time_ns() - start) / 1000.0
         before, touching = touching, plant.leg_contacts
         row = _walk_row(plant, truth, controller)
         row["leg_contacts"] = len(touching - before)
-        recorder.record(truth, controller, command, tick_us, row)
-        state = plant.step(command)
+        applied = applied if lost[1, k] and applied is not None else copy.copy(command)
+        recorder.record(truth, controller, applied, tick_us, row)
+        state = plant.step(applied)
         truth = plant.truth
         if progress is not None:
             progress("walk", k + 1, settings.ticks)

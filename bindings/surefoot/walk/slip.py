@@ -14,7 +14,8 @@ def slip_velocities(plant: Plant) -> Array:
 
     The contact point is the material point of the foot sphere that is nearest to the ground. A foot
     that rolls moves its centre, but not this point. For a loaded foot the point is where MuJoCo
-    applies friction: half of the penetration above the lowest point. The ground must not move.
+    applies friction: half of the penetration above the lowest point. The ground must not move. On a
+    terrain, a foot at an edge counts as one on the surface below its centre.
 
     Args:
         plant: The plant; its ground goes through the origin.
@@ -27,6 +28,8 @@ def slip_velocities(plant: Plant) -> Array:
             plant.model, plant.data, mujoco.mjtObj.mjOBJ_XBODY, body, motion, 0
         )
         motions[leg] = motion
-    penetration = np.maximum(0.0, radius - plant.data.xpos[handles.foot_bodies] @ normal)
+    feet = plant.data.xpos[handles.foot_bodies]
+    heights = feet @ normal - plant.settings.terrain.heights_at(feet[:, :2])
+    penetration = np.maximum(0.0, radius - heights)
     arms = -(radius - 0.5 * penetration)[:, None] * normal
     return np.asarray((motions[:, 3:] + np.cross(motions[:, :3], arms)).T)

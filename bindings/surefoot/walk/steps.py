@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from surefoot.walk.walk_log import WalkLog
+from surefoot.walk.walk_motion import WalkMotion
 
 LOADED = 0.05  # share of the weight above which a foot counts as loaded; of the slip's definition
 # [s] A shorter gap in the load is a bounce of the same step: soft soles bounce for up to 40 ms, and
@@ -32,7 +32,7 @@ class Stance:
     stepped: bool
 
 
-def stance_phases(log: WalkLog) -> list[Stance]:
+def stance_phases(log: WalkMotion) -> list[Stance]:
     """Return all stance phases, leg by leg. A bounce does not begin a new one."""
     loaded = log.normal_forces > LOADED * log.weight
     gap = round(MIN_SWING * log.rate)
@@ -50,7 +50,7 @@ def stance_phases(log: WalkLog) -> list[Stance]:
     return phases
 
 
-def slip_per_step(log: WalkLog) -> float | None:
+def slip_per_step(log: WalkMotion) -> float | None:
     """Return the mean path of the contact point while its foot is loaded, per step [m].
 
     Only the part along the ground counts, and only ticks at which the load exceeds LOADED. None:
@@ -66,7 +66,7 @@ def slip_per_step(log: WalkLog) -> float | None:
     return float(np.mean([path[s.start : s.end, s.leg].sum() for s in steps]))
 
 
-def touchdown_force(log: WalkLog) -> float | None:
+def touchdown_force(log: WalkMotion) -> float | None:
     """Return the largest normal force of a foot just after a touchdown, in weights; None: no step.
 
     The force of each physics step at the end of a tick counts, so the peak between two ticks is

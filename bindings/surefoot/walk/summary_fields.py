@@ -16,6 +16,12 @@ _WALK_CONDITIONS = (
     ("walking_sensors", "", "true: real sensors with the errors that walking adds"),
     ("soft_soles", "", "true: soft soles, false: rigid ones"),
     ("leg_collisions", "", "true: legs collide even where the SRDF disables it"),
+    ("step_height", "m", "height of the platform ahead of the robot; 0: none"),
+    ("step_heading_deg", "deg", "angle by which the edges of the platform are turned to the left"),
+    ("stairs_height", "m", "height of each step of the stairs ahead, up and down; 0: none"),
+    ("stairs_tread", "m", "length of each step of the stairs"),
+    ("block_height", "m", "largest height of the blocks ahead; 0: none"),
+    ("lost_frames", "%", "share of LowStates and of LowCmds lost"),
 )
 Row = tuple[str, str, str] | str
 """Name, unit and meaning of a field; or the name of a field of a stand, with the same meaning."""

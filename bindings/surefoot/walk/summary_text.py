@@ -18,7 +18,23 @@ def outcome_sentence(s: dict[str, Any]) -> str:
 def walk_conditions_line(s: dict[str, Any]) -> str:
     """Return the conditions of a walk as one line."""
     soles = "soft soles" if s["soft_soles"] else "rigid soles"
-    return f"gait {s['gait']}, {soles}, {conditions_line(s)}"
+    parts = [f"gait {s['gait']}", soles, *_terrain_words(s)]
+    if s["lost_frames"]:
+        parts.append(f"{s['lost_frames']:g} % of frames lost")
+    return ", ".join([*parts, conditions_line(s)])
+
+
+def _terrain_words(s: dict[str, Any]) -> list[str]:
+    if s["step_height"]:
+        heading = s["step_heading_deg"]
+        turned = f", edges turned by {heading:g} deg" if heading else ""
+        return [f"platform of {100.0 * s['step_height']:g} cm{turned}"]
+    if s["stairs_height"]:
+        tread = 100.0 * s["stairs_tread"]
+        return [f"stairs of {100.0 * s['stairs_height']:g} cm with treads of {tread:g} cm"]
+    if s["block_height"]:
+        return [f"blocks up to {100.0 * s['block_height']:g} cm"]
+    return []
 
 
 def command_line(command: dict[str, Any]) -> str:

@@ -56,7 +56,8 @@ enum class FaultReaction : int {
   kNone = 0,  ///< nothing: there is no fault
   kWatch,     ///< the fault is reported and counted; the robot continues
   kDegrade,   ///< the robot continues with the remaining sensors, contacts or legs
-  /// The robot sits down and does not rise while the fault lasts. If only a standing robot can
+  /// The robot sits down and does not rise while the fault lasts. A robot that walks stops on four
+  /// feet first, within 1.5 s. If only a standing robot can
   /// detect the fault (payload, the estimator's verdict on the gyroscope), the robot does not rise
   /// again until arm() is called.
   kSit,
@@ -72,6 +73,13 @@ struct FaultInfo {
   double detection_time = 0.0;  ///< [s] longest time from the onset of the fault to the reaction
   std::string_view cleared_by;  ///< what ends the reaction after the fault has ended
   std::string_view meaning;     ///< how the fault is detected and how the supervisor reacts
+  /// What differs while the feet step (Reference::stepping); empty: nothing.
+  std::string_view while_stepping = {};
+  /// [s] Longest time from the onset to the reaction while the feet step; 0: detection_time.
+  double stepping_detection_time = 0.0;
+  /// True: a robot that walks stops and stands, and kWalk is refused while the fault is active. So
+  /// do all faults with the reaction kSit.
+  bool stops_walking = false;
 };
 /// Return a row for every fault but kNone, in the order of FaultId. Real-time: yes.
 const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept;
@@ -90,6 +98,8 @@ struct FaultReport {
   /// Return the first active fault with this reaction, in the order of FaultId, but never `except`.
   /// Return kNone if no such fault is active. Real-time: yes.
   FaultId first_active(FaultReaction reaction, FaultId except = FaultId::kNone) const noexcept;
+  /// Return the first active fault with FaultInfo::stops_walking, or kNone. Real-time: yes.
+  FaultId stops_walking() const noexcept;
 };
 
 }  // namespace surefoot

@@ -97,10 +97,15 @@ struct Gains {
   double walk_joint_limit_rate = 100.0;
   double walk_acceleration = 0.2;        ///< [g] greatest acceleration of the commanded velocity
   double walk_turn_acceleration = 0.25;  ///< [g/h] the same of the commanded yaw rate
-  double walk_speed_forward = 1.2;       ///< [sqrt(g h)] greatest commanded speed forward
-  double walk_speed_backward = 0.6;      ///< [sqrt(g h)] greatest commanded speed backward
-  double walk_speed_sideways = 0.47;     ///< [sqrt(g h)] greatest commanded speed sideways
-  double walk_turn_speed = 0.52;         ///< [sqrt(g/h)] greatest commanded yaw rate
+  /// [m g sqrt(g h)] Power peaks of a trot in place.
+  double walk_power_rest = 0.45;
+  /// [m g sqrt(g h)] Additional power peaks at a speed of sqrt(g h); they grow with the cube of the
+  /// speed.
+  double walk_power_rise = 3.8;
+  double walk_speed_forward = 1.2;    ///< [sqrt(g h)] greatest commanded speed forward
+  double walk_speed_backward = 0.6;   ///< [sqrt(g h)] greatest commanded speed backward
+  double walk_speed_sideways = 0.47;  ///< [sqrt(g h)] greatest commanded speed sideways
+  double walk_turn_speed = 0.52;      ///< [sqrt(g/h)] greatest commanded yaw rate
   // Gait walk: one foot swings at a time.
   double walk_gait_period = 6.0;  ///< [sqrt(h/g)] gait_period of the gait walk
   double walk_gait_duty = 0.8;    ///< [1] share of the period in which a foot stands, gait walk

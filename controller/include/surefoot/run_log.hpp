@@ -17,8 +17,11 @@ struct RunTick {
   bool has_new_state = false;              ///< true if `state` arrived in this tick
   Mode mode = Mode::kPassive;              ///< mode of the supervisor after the tick
   FaultId damping_fault = FaultId::kNone;  ///< fault for which damping was last latched
-  LowState state = init_low_state();       ///< newest sample
-  LowCmd command = init_low_cmd();         ///< command passed to the link in this tick
+  WalkVelocity velocity;      ///< velocity passed to Supervisor::set_velocity() before the tick
+  bool has_velocity = false;  ///< whether there was such a call
+  Gait gait = Gait::kAuto;    ///< gait of the mode kWalk
+  LowState state = init_low_state();  ///< newest sample
+  LowCmd command = init_low_cmd();    ///< command passed to the link in this tick
 };
 static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocates nor throws
 

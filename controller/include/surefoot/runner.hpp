@@ -21,7 +21,9 @@ struct RunOptions {
   /// Level of Safety::power_protect(), 1 .. 10. 0: no protection; allowed only for
   /// Start::kStanding.
   int power_level = 1;
-  bool remote = true;  ///< true: the sticks of the remote move the body, and button B damps
+  /// true: the sticks of the remote move the body of a standing robot and give the velocity of a
+  /// walking one, START begins and ends a walk, and button B damps
+  bool remote = true;
   double connect_timeout = 5.0;  ///< [s] longest wait for the first valid LowState
   /// State of the robot at the start. kStanding: the runner takes over the robot at once. kLying:
   /// the robot must pass the arming checks first, and power_level must be 1 .. 10.
@@ -29,7 +31,8 @@ struct RunOptions {
   /// [s] Time without heartbeat() after which the robot sits down, at least 0.01. Infinity: no
   /// operator is needed.
   double operator_timeout = std::numeric_limits<double>::infinity();
-  double log_time = 0.0;  ///< [s] length of log(), 0 .. 600; one tick takes 1.7 kB
+  double velocity_timeout = 0.5;  ///< [s] see WalkOptions::velocity_timeout
+  double log_time = 0.0;          ///< [s] length of log(), 0 .. 600; one tick takes 1.7 kB
 
   /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
@@ -40,7 +43,8 @@ enum class RunPhase {
   kWaiting,   ///< the runner sends damping until the first valid LowState arrives
   kPassive,   ///< the motors damp until request(Mode::kRise)
   kRising,    ///< the robot rises
-  kStanding,  ///< the StandController is in control
+  kStanding,  ///< the robot stands
+  kWalking,   ///< the robot walks, or stands at velocity 0, ready to walk
   kSitting,   ///< the robot sits down
   kDamping,   ///< the motors damp: latched until arm(), or while the robot is silent
   kEnded      ///< the run ends after 0.2 s of damping commands
@@ -115,11 +119,19 @@ struct RunSnapshot {
   std::array<double, 12> joint_angles{};  ///< [rad] measured angles, SDK motor order
   /// [N] Ground force on each foot in the QP solution: FR FL RR RL, each x y z, world axes.
   std::array<double, 12> desired_forces{};
-  std::array<double, 4> contact{};  ///< contact confidence 0 .. 1, FR FL RR RL
-  double position_error = 0.0;      ///< [m] distance between the base origin and its reference
-  double orientation_error = 0.0;   ///< [rad] angle between the base and its reference
-  double torque_ratio = 0.0;        ///< largest |tauEst| / tau_max of the motors
-  double command_power = 0.0;       ///< [W] StandController::command_power()
+  std::array<double, 4> contact{};              ///< contact confidence 0 .. 1, FR FL RR RL
+  WalkVelocity commanded_velocity;              ///< clamped; 0 after the timeout
+  WalkVelocity reference_velocity;              ///< approaches commanded_velocity
+  WalkLimit velocity_limit = WalkLimit::kNone;  ///< of the last velocity
+  Gait gait = Gait::kAuto;                      ///< gait of the mode kWalk
+  bool stopping = false;                        ///< see Supervisor::stopping()
+  std::uint64_t start_presses = 0;  ///< number of times that START of the remote was pressed
+  /// Answer to the request of the last press of START.
+  RequestStatus start_answer = RequestStatus::kAccepted;
+  double position_error = 0.0;     ///< [m] distance between the base origin and its reference
+  double orientation_error = 0.0;  ///< [rad] angle between the base and its reference
+  double torque_ratio = 0.0;       ///< largest |tauEst| / tau_max of the motors
+  double command_power = 0.0;      ///< [W] StandController::command_power()
   // Latency of a tick: from waking up to the command sent.
   double tick_p50 = 0.0,  ///< [us] latency of a tick, median
       tick_p90 = 0.0,     ///< [us] latency of a tick, 90 % quantile
@@ -166,7 +178,8 @@ class Runner {
   RequestStatus request(Mode mode) noexcept;  ///< see Supervisor::request()
   RequestStatus arm() noexcept;               ///< see Supervisor::arm()
   void rearm() noexcept;                      ///< call arm() and count refusals in refused_rearms
-  /// End the run. With Start::kLying the robot first sits down; with kStanding this is stop().
+  /// End the run. With Start::kLying the robot first sits down. With kStanding a walking robot
+  /// first stops; then this is stop().
   void finish() noexcept;
   void stop() noexcept;  ///< damp and end the run
   void damp() noexcept;  ///< latch damping; the run continues
@@ -181,6 +194,13 @@ class Runner {
   /// next tick, while the robot stands. The sticks of the remote add to the target. It is cleared
   /// when the robot stands up again. Call this function from any thread. Real-time: no.
   void set_body_reference(const BodyReference& target);
+
+  /// Set the velocity of a walking robot, see Supervisor::set_velocity(). It takes effect in the
+  /// next tick, and is 0 after RunOptions::velocity_timeout. The sticks of the remote add to it.
+  /// Call this function from any thread. Real-time: no.
+  void set_velocity(const WalkVelocity& velocity);
+  /// Set the gait, see Supervisor::set_gait(). Call this function from any thread. Real-time: no.
+  void set_gait(Gait gait);
 
   /// Return the log of the last RunOptions::log_time seconds, a reference that is valid as long as
   /// this object exists. The log begins with the first LowState. It stops 5 s (at most log_time /

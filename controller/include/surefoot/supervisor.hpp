@@ -6,8 +6,8 @@
 
 #include "surefoot/arming.hpp"
 #include "surefoot/fault.hpp"
-#include "surefoot/stand_controller.hpp"
 #include "surefoot/supervisor_enums.hpp"
+#include "surefoot/walk_controller.hpp"
 
 namespace surefoot {
 
@@ -15,9 +15,10 @@ namespace surefoot {
 struct SupervisorOptions {
   /// Level of Safety::power_protect(), 1 .. 10, which trips at 100 W times the level.
   ///
-  /// Rises and descents are planned for half of this power. While the robot stands, the power limit
-  /// is 0.9 of this power or stand.power_limit, whichever is smaller. With level 0 the protection
-  /// is off, stand.power_limit is used as it is, and rises and descents are planned for level 1.
+  /// Rises and descents are planned for half of this power. While it stands or walks, the power
+  /// limit is 0.9 of this power or stand.power_limit, whichever is smaller. With level 0 the
+  /// protection is off, stand.power_limit is used as it is, and rises and descents are planned for
+  /// level 1.
   int power_level = 1;
   double arming_time = 1.0;           ///< [s] time for which all arming checks must have passed
   double temperature_warning = 60.0;  ///< [deg C] motor temperature that reduces torque limits
@@ -32,15 +33,17 @@ struct SupervisorOptions {
   /// kJointStop. Negative: distance by which joints may exceed their limits. A fully folded calf
   /// rests on its stop, beyond the limits.
   double joint_margin = -0.15;
-  ControllerOptions stand;      ///< options of the StandController
-  Start start = Start::kLying;  ///< state of the robot at the first sample
-  bool remote = true;           ///< true: button B on the remote stops the robot
+  ControllerOptions stand;        ///< options of the WalkController's tick
+  double velocity_timeout = 0.5;  ///< [s] see WalkOptions::velocity_timeout
+  Start start = Start::kLying;    ///< state of the robot at the first sample
+  bool remote = true;             ///< true: button B on the remote stops the robot
 
   /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
 };
 
-/// Controller that takes a robot from lying to standing and back: LowState in, LowCmd out.
+/// Controller that takes a robot from lying to standing and back, and lets it walk: LowState in,
+/// LowCmd out.
 ///
 /// The supervisor checks the robot before arming, refuses requests that the present mode does not
 /// allow, detects faults, and stops on request.
@@ -56,13 +59,19 @@ struct SupervisorOptions {
 /// holding torques may take at most half of the power of SupervisorOptions::power_level. Sitting
 /// down follows the same path backwards.
 ///
+/// Walking. In the mode kWalk the robot follows set_velocity(), and stands at velocity 0. It
+/// returns to kStand on request(kStand), when the velocity has expired, or for a fault that stops
+/// walking. Before it stands or sits down, it stops on four feet. If it has not stopped within 1.5
+/// s, it sits down all the same. stop() and faults that damp act at once, in any phase of the gait.
+///
 /// Torques fade between modes within 0.25 s; damping after a stop or a fault starts at once.
 /// fault_table() lists the faults and the reactions to them.
 ///
 /// Threads: update(), update_without_state(), report_link_lost(), count_samples(), set_gains(),
-/// set_body_reference(), stand_controller(), command_is_fresh() and measured_power() belong to one
-/// thread. All other functions may be called from any thread. No function takes a lock; faults()
-/// and arming() read again if the report changed while they read it.
+/// set_body_reference(), set_velocity(), set_gait(), gait(), controller(), command_is_fresh() and
+/// measured_power() belong to one thread. All other functions may be called from any thread. No
+/// function takes a lock; faults() and arming() read again if the report changed while they read
+/// it.
 class Supervisor {
  public:
   /// Create a supervisor with RobotConfig::gains and default options. Throws surefoot::Error if the
@@ -100,8 +109,9 @@ class Supervisor {
   /// missing arrived later
   void count_samples(double received, double missing) noexcept;
 
-  /// Request a mode. Allowed requests: kRise from kPassive; kSit from kRise or kStand; kStand from
-  /// kSit, to stand up again. Any thread. Real-time: yes.
+  /// Request a mode. Allowed requests: kRise from kPassive; kSit from kRise, kStand or kWalk;
+  /// kStand from kSit, to stand up again, and from kWalk, to stop; kWalk from kStand. A robot that
+  /// walks stops before it changes its mode. Any thread. Real-time: yes.
   RequestStatus request(Mode mode) noexcept;
   /// Arm the robot: allow requests, and change from latched damping to kPassive. A lost leg is used
   /// again. Any thread. Real-time: yes.
@@ -135,11 +145,20 @@ class Supervisor {
   /// Set the target pose of the body while standing, see StandController::set_body_reference().
   /// Real-time: yes.
   void set_body_reference(const BodyReference& target) noexcept;
+  /// Set the velocity, see WalkController::set_velocity(). Ignored unless the mode is kWalk, and
+  /// while the robot stops. Call it more often than SupervisorOptions::velocity_timeout. Real-time:
+  /// yes.
+  void set_velocity(const WalkVelocity& velocity) noexcept;
+  /// Set the gait of kWalk; initially Gait::kAuto. Real-time: yes.
+  void set_gait(Gait gait) noexcept;
+  Gait gait() const noexcept;  ///< gait of kWalk; of the thread of update()
+  /// True while a robot that walked or stepped stops, before it stands or sits down.
+  bool stopping() const noexcept;
   /// Set the gains, see StandController::set_gains(). The gain fold_wait takes effect at the next
   /// folding. Throws surefoot::Error and changes nothing if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
-  /// Return the StandController, for reading. Real-time: yes.
-  const StandController& stand_controller() const noexcept;
+  /// Return the controller of a robot that stands or walks, for reading. Real-time: yes.
+  const WalkController& controller() const noexcept;
   /// True if the last command was computed from the newest LowState.
   bool command_is_fresh() const noexcept;
   /// [W] Motor power in the last sample that the power protection judged; 0 while the protection is

@@ -7,7 +7,8 @@ namespace surefoot {
 enum class Mode : int {
   kPassive = 0,  ///< the motors damp; this is the first mode, and the mode after sitting down
   kRise,         ///< the robot rises from lying to standing
-  kStand,        ///< the StandController is in control
+  kStand,        ///< the robot stands, and steps only to keep its balance
+  kWalk,         ///< the robot follows Supervisor::set_velocity(); at velocity 0 it stands
   kSit,          ///< the robot sits down; request this mode also to abort a rise
   kDamping       ///< the motors damp until arm(), the only way to leave this mode
 };
@@ -48,11 +49,15 @@ enum class RequestStatus : int {
   kNoState,       ///< no valid LowState has arrived, or they no longer arrive
   kNotArmed,      ///< the robot is not armed: call arm() first
   /// An arming check fails, or has not passed for SupervisorOptions::arming_time yet, or a fault
-  /// keeps the robot down; see Supervisor::arming().
+  /// keeps the robot down; see Supervisor::arming(). For kWalk: a fault that makes a walking robot
+  /// stop is active; see Supervisor::faults().
   kNotReady,
   kLatched,     ///< damping is latched: call arm() first
   kOutOfOrder,  ///< the present mode does not allow this request, see Supervisor::request()
-  kBusy         ///< another request or a stop is pending, or torques fade between two modes
+  /// Another request or a stop is pending, torques fade between two modes, or the robot stops
+  /// walking.
+  kBusy,
+  kCannotWalk  ///< the motors cannot carry the robot on two feet, see WalkController::can_walk()
 };
 /// Return the name of a status, such as "not_ready". Real-time: yes.
 const char* to_string(RequestStatus status) noexcept;

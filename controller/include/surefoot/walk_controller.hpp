@@ -27,7 +27,8 @@ struct WalkOptions {
 class WalkController : public StandController {
  public:
   /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the
-  /// robot does not have twelve joints on a free base, or if a gain or an option is invalid.
+  /// robot does not have twelve joints on a free base, if it cannot walk (see can_walk()), or if a
+  /// gain or an option is invalid.
   explicit WalkController(const Robot& robot);
   /// The same with other gains than RobotConfig::gains.
   WalkController(const Robot& robot, const Gains& gains, const WalkOptions& options = {});
@@ -37,8 +38,9 @@ class WalkController : public StandController {
 
   /// Command a velocity; call it more often than WalkOptions::velocity_timeout. The velocity is
   /// clamped to the gains walk_speed_forward, walk_speed_backward, walk_speed_sideways and
-  /// walk_turn_speed, in the gait kWalk to walk_gait_speed and walk_gait_turn_speed. A velocity
-  /// with a NaN or an infinity is ignored. velocity_limit() reports both. Real-time: yes.
+  /// walk_turn_speed, in the gait kWalk to walk_gait_speed and walk_gait_turn_speed, and to what
+  /// ControllerOptions::power_limit carries. A velocity with a NaN or an infinity is ignored.
+  /// velocity_limit() reports both. Real-time: yes.
   void set_velocity(const WalkVelocity& velocity) noexcept;
   WalkVelocity commanded_velocity() const noexcept;  ///< clamped; 0 after the timeout
   WalkVelocity reference_velocity() const noexcept;  ///< approaches commanded_velocity()
@@ -47,10 +49,22 @@ class WalkController : public StandController {
   void set_gait(Gait gait) noexcept;  ///< from the next tick on. Real-time: yes.
   Gait gait() const noexcept;         ///< gait last set; initially kAuto
   bool walking() const noexcept;      ///< whether the last tick planned steps
+  /// Whether the last velocity is older than WalkOptions::velocity_timeout, or none was set since
+  /// reset().
+  bool velocity_expired() const noexcept;
+  /// Whether the motors can carry the robot in the standing pose on two diagonal feet, with at most
+  /// 0.8 of their torque limits. A robot that cannot walk only stands. Only a Supervisor has a
+  /// WalkController for such a robot.
+  bool can_walk() const noexcept;
   /// Footholds FR FL RR RL, world frame of state() [m]: where each foot lands or has landed.
   FeetMatrix footholds() const noexcept;
   /// Planned loads FR FL RR RL, 0 .. 1; 0: the foot swings.
   Eigen::Vector4d planned_loads() const noexcept;
+
+ protected:
+  /// Create a controller without the check that the robot can walk.
+  struct Unchecked {};
+  WalkController(Unchecked, const Robot& robot, const Gains& gains, const WalkOptions& options);
 };
 
 }  // namespace surefoot

@@ -16,6 +16,7 @@ enum class WalkLimit {
   kForward,   ///< vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed
   kSideways,  ///< vy: gain walk_speed_sideways; walk: walk_gait_speed
   kTurn,      ///< yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed
+  kPower,     ///< all: the power that ControllerOptions::power_limit allows
   kNotFinite  ///< the command has a NaN or an infinity; the previous one stays in force
 };
 /// Return the name of a limit, such as "forward". Real-time: yes.

@@ -91,7 +91,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
   foot_motion.update_velocity(dynamics, dt);
-  slip.update(gains, v_contact, state.contact, stepping, dt);
+  slip.update(gains, {v_contact, state.contact, loads, normal, stepping}, dt);
   clearance.update(dynamics, filter, slip.velocity(), state.contact, contact.loaded_by_forces(),
                    normal, dt);
   ContactSignals signals;

@@ -24,12 +24,13 @@ constexpr double kLateLoad = 0.1;
 }  // namespace
 
 void FootContacts::update(const GaitClock& clock, const Eigen::Vector4d& contact,
-                          double dt) noexcept {
+                          const std::array<bool, kLegs>& lifting, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const FootPhase last = phase_[leg];
     const bool was_in_stance = in_stance(leg);
-    phase_[leg] = next_phase(leg, clock, contact[leg]);
+    phase_[leg] = lifting[leg] ? FootPhase::kSwing : next_phase(leg, clock, contact[leg]);
     lifted_off_[leg] = last != FootPhase::kSwing && phase_[leg] == FootPhase::kSwing;
+    landed_[leg] = !was_in_stance && in_stance(leg);
     lost_[leg] = was_in_stance && phase_[leg] == FootPhase::kLateSwing;
     double target = 0.0;
     if (phase_[leg] == FootPhase::kStance)

@@ -23,13 +23,16 @@ class FootContacts {
   void start() noexcept { *this = {}; }
 
   /// @param contact contact confidence per foot, 0 .. 1
-  void update(const GaitClock& clock, const Eigen::Vector4d& contact, double dt) noexcept;
+  /// @param lifting feet that lift over an obstacle: they swing, whatever the clock says
+  void update(const GaitClock& clock, const Eigen::Vector4d& contact,
+              const std::array<bool, kLegs>& lifting, double dt) noexcept;
 
   FootPhase phase(int leg) const noexcept { return phase_[leg]; }
   bool in_stance(int leg) const noexcept {
     return phase_[leg] == FootPhase::kStance || phase_[leg] == FootPhase::kEarlyStance;
   }
   bool lifted_off(int leg) const noexcept { return lifted_off_[leg]; }  ///< in this tick
+  bool landed(int leg) const noexcept { return landed_[leg]; }          ///< in this tick
   bool lost(int leg) const noexcept { return lost_[leg]; }    ///< the ground was lost in this tick
   double load(int leg) const noexcept { return load_[leg]; }  ///< planned, 0 .. 1
   bool others_in_stance(int leg) const noexcept;              ///< all feet but that of `leg`
@@ -41,7 +44,7 @@ class FootContacts {
   FootPhase next_phase(int leg, const GaitClock& clock, double contact) noexcept;
 
   std::array<FootPhase, kLegs> phase_{};
-  std::array<bool, kLegs> lifted_off_{}, lost_{};
+  std::array<bool, kLegs> lifted_off_{}, landed_{}, lost_{};
   std::array<double, kLegs> load_ = {1.0, 1.0, 1.0, 1.0};
 };
 

@@ -6,31 +6,23 @@
 
 namespace surefoot {
 
-namespace {
-
-// [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
-// of a period of 0.42 s, has stepped into a hole.
-constexpr double kMaxWait = 0.15;
-
-}  // namespace
-
-void GaitClock::advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept {
+void GaitClock::advance(const GaitTiming& timing, double max_wait, bool stop, double dt) noexcept {
   timing_ = timing;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (phase_of(leg) < timing_.duty) grounded_[leg] = stop;
   }
+  if (std::any_of(waits_.begin(), waits_.end(), [](bool waits) { return waits; })) {
+    waited_ += dt;
+    if (waited_ < max_wait) return;
+    waits_.fill(false);
+  }
+  waited_ = 0.0;
   const double step = dt / timing_.period;
-  bool lifts = false;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double phase = phase_of(leg);
     const bool ends = phase < timing_.duty && phase + step >= timing_.duty;
-    lifts = lifts || (ends && !stop);
+    waits_[leg] = ends && !grounded_[leg] && max_wait > 0.0;
   }
-  if (lifts && late && waited_ < kMaxWait * timing_.period) {
-    waited_ += dt;
-    return;
-  }
-  if (lifts || stop) waited_ = 0.0;
   phase_ = fraction(phase_ + step);
 }
 
@@ -51,7 +43,7 @@ double GaitClock::time_since_touchdown(int leg) const noexcept {
 }
 
 double GaitClock::time_to_liftoff(int leg) const noexcept {
-  if (grounded_[leg]) return timing_.period;
+  if (grounded_[leg] || waits_[leg]) return timing_.period;
   return std::max(timing_.duty - phase_of(leg), 0.0) * timing_.period;
 }
 

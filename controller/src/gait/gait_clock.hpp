@@ -17,9 +17,9 @@ struct GaitTiming {
   double swing_time() const noexcept { return (1.0 - duty) * period; }
 };
 
-/// Clock of a gait: the phase of each leg. Before a foot lifts off, the clock waits for feet that
-/// should have landed and have not. Without the wait, a push that lifts the body would leave no
-/// foot on the ground. Real-time: yes.
+/// Clock of a gait: the phase of each leg. When a foot should lift off, it stays on the ground and
+/// the clock waits while other feet have not landed. Without the wait, a push that lifts the body
+/// would leave no foot on the ground. Real-time: yes.
 class GaitClock {
  public:
   /// Start with all legs in stance, as if those with offset 0 had just landed. A leg whose phase is
@@ -35,18 +35,20 @@ class GaitClock {
   }
 
   /// Advance the phase.
-  /// @param late whether a foot that should carry load has not landed
+  /// @param max_wait longest wait for feet that should have landed [s]; 0: no foot is late
   /// @param stop whether no further foot shall lift off. After `stop`, a foot that skipped its
   ///   swing lifts off one cycle later
-  void advance(const GaitTiming& timing, bool late, bool stop, double dt) noexcept;
+  void advance(const GaitTiming& timing, double max_wait, bool stop, double dt) noexcept;
 
-  bool in_swing(int leg) const noexcept { return phase_of(leg) >= timing_.duty && !grounded_[leg]; }
+  bool in_swing(int leg) const noexcept {
+    return phase_of(leg) >= timing_.duty && !grounded_[leg] && !waits_[leg];
+  }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
   double time_to_touchdown(int leg) const noexcept;     ///< [s] 0 in stance
   double time_since_touchdown(int leg) const noexcept;  ///< [s] 0 in swing
   double time_to_liftoff(
-      int leg) const noexcept;  ///< [s] 0 in swing; a period if it skips its swing
+      int leg) const noexcept;  ///< [s] 0 in swing; a period if it skips its swing or waits
   const GaitTiming& timing() const noexcept { return timing_; }
 
  private:
@@ -56,7 +58,8 @@ class GaitClock {
   GaitTiming timing_;
   double phase_ = 0.0;                  // 0 .. 1
   std::array<bool, kLegs> grounded_{};  // the leg skips its swing
-  double waited_ = 0.0;  // [s] time for which the clock has waited before this lift-off
+  std::array<bool, kLegs> waits_{};     // the leg should lift off, and waits for late feet
+  double waited_ = 0.0;                 // [s] time for which the clock has waited
 };
 
 }  // namespace surefoot

@@ -18,4 +18,9 @@ GaitSize::GaitSize(const Robot& robot) {
   speed = std::sqrt(kGravity * height);
 }
 
+double GaitSize::fastest_hip(const WalkVelocity& velocity) const noexcept {
+  const double arm = nominal_feet.topRows<2>().colwise().norm().maxCoeff();
+  return std::hypot(velocity.vx, velocity.vy) + arm * std::abs(velocity.yaw_rate);
+}
+
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 
 #include "surefoot/math.hpp"
 #include "surefoot/robot.hpp"
+#include "surefoot/walk_velocity.hpp"
 
 namespace surefoot {
 
@@ -16,6 +17,9 @@ struct GaitSize {
   double corner_speed;      ///< [rad/s] of the thigh motors: RobotConfig::corner_speed
   double time;              ///< [s] sqrt(h / g), the time constant of the inverted pendulum
   double speed;             ///< [m/s] sqrt(g h)
+
+  /// Return the speed of the fastest hip [m/s].
+  double fastest_hip(const WalkVelocity& velocity) const noexcept;
 };
 
 }  // namespace surefoot

@@ -33,15 +33,10 @@ std::array<double, kLegs> walk_offsets(const WalkOrder& order, double duty) noex
 
 }  // namespace
 
-double hip_speed(const GaitSize& size, const WalkVelocity& velocity) noexcept {
-  const double arm = size.nominal_feet.topRows<2>().colwise().norm().maxCoeff();
-  return std::hypot(velocity.vx, velocity.vy) + arm * std::abs(velocity.yaw_rate);
-}
-
 GaitTiming gait_timing(const StepPattern& pattern, const Gains& gains, const GaitSize& size,
                        const WalkVelocity& velocity) noexcept {
   const bool walk = pattern.walk;
-  const double speed = std::max(hip_speed(size, velocity), kMinSpeed * size.speed);
+  const double speed = std::max(size.fastest_hip(velocity), kMinSpeed * size.speed);
   // A swing foot travels speed * period in the swing time, with the peak kPeakSpeed times the mean:
   //   kPeakSpeed * speed * (stance + swing) / swing - speed <= swing_speed
   const double swing_speed = gains.gait_swing_speed * size.height * size.corner_speed;

@@ -28,7 +28,4 @@ struct StepPattern {
 GaitTiming gait_timing(const StepPattern& pattern, const Gains& gains, const GaitSize& size,
                        const WalkVelocity& velocity) noexcept;
 
-/// Return the speed of the fastest hip of a robot with this velocity [m/s]. Real-time: yes.
-double hip_speed(const GaitSize& size, const WalkVelocity& velocity) noexcept;
-
 }  // namespace surefoot

@@ -10,6 +10,12 @@ namespace {
 // Smallest vertical part of a normal, cos(60 deg). Chosen: no ground is steeper; feet that are
 // nearly in one line can span any plane.
 constexpr double kMinVertical = 0.5;
+// [sqrt(h/g)] Time constant of the normal: 0.35 s at h = 0.3 m. Chosen: about a period, so that one
+// foot on a step does not tilt the body.
+constexpr double kNormalTime = 2.0;
+// [sqrt(h/g)] Time constant of the height under the body: 0.17 s at h = 0.3 m. Chosen: about a
+// stance, in which the legs lift the body onto a step.
+constexpr double kHeightTime = 1.0;
 
 // Return the unit normal of the plane that is parallel to both diagonals; `fallback` if they span
 // no ground.
@@ -23,17 +29,22 @@ Vector3 normal_of(const FeetMatrix& p, const Vector3& fallback) noexcept {
 
 void GroundPlane::start(const FeetMatrix& p_world_feet) noexcept {
   points_ = p_world_feet;
+  mean_ = points_.rowwise().mean();
   normal_ = normal_of(points_, Vector3::UnitZ());
+  jump_ = 0.0;
 }
 
-void GroundPlane::update(double time_constant, double dt) noexcept {
-  normal_ += dt / (dt + time_constant) * (normal_of(points_, normal_) - normal_);
+void GroundPlane::update(double time, const Eigen::Vector2d& p_world, double dt) noexcept {
+  const double last = height_at(p_world);
+  mean_ = points_.rowwise().mean();
+  normal_ += dt / (dt + kNormalTime * time) * (normal_of(points_, normal_) - normal_);
   normal_.normalize();
+  const double decay = kHeightTime * time / (dt + kHeightTime * time);
+  jump_ = decay * (jump_ + height_at(p_world) - last);
 }
 
 double GroundPlane::height_at(const Eigen::Vector2d& p_world) const noexcept {
-  const Vector3 mean = points_.rowwise().mean();
-  return mean.z() - normal_.head<2>().dot(p_world - mean.head<2>()) / normal_.z();
+  return mean_.z() - normal_.head<2>().dot(p_world - mean_.head<2>()) / normal_.z();
 }
 
 }  // namespace surefoot

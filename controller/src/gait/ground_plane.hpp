@@ -7,22 +7,30 @@ namespace surefoot {
 
 /// Plane of the ground under a walking robot: through the mean of the points where the feet stood
 /// last, parallel to both diagonals of these points. The normal is low-pass filtered, because a
-/// single foot may stand on a step. Real-time: yes.
+/// single foot may stand on a step. The height under the body is filtered too, but only its jumps:
+/// on a slope it does not lag. Real-time: yes.
 class GroundPlane {
  public:
   void start(const FeetMatrix& p_world_feet) noexcept;
   /// Move the point of a foot that stands.
   void stand_at(int leg, const Vector3& p_world) noexcept { points_.col(leg) = p_world; }
-  /// @param time_constant of the normal [s]
-  void update(double time_constant, double dt) noexcept;
+  /// @param time unit of the time constants: sqrt(h/g) [s]
+  /// @param p_world position of the body [m]
+  void update(double time, const Eigen::Vector2d& p_world, double dt) noexcept;
 
   const Vector3& normal() const noexcept { return normal_; }  ///< unit length, upwards
   /// Height of the plane [m] at a world x and y [m].
   double height_at(const Eigen::Vector2d& p_world) const noexcept;
+  /// The same without jumps when a foot lands on a step, for the body.
+  double smooth_height_at(const Eigen::Vector2d& p_world) const noexcept {
+    return height_at(p_world) - jump_;
+  }
 
  private:
   FeetMatrix points_ = FeetMatrix::Zero();
+  Vector3 mean_ = Vector3::Zero();  // of the points [m]
   Vector3 normal_ = Vector3::UnitZ();
+  double jump_ = 0.0;  // [m] part of the height's changes that smooth_height_at() leaves out
 };
 
 }  // namespace surefoot

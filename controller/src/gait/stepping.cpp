@@ -17,9 +17,9 @@ namespace {
 // [sqrt(g h)] Speed at which a foot reaches down that should have landed: 0.4 m/s at h = 0.3 m.
 // Chosen: about twice the default of swing_landing_speed.
 constexpr double kReachDownSpeed = 0.23;
-// [sqrt(h/g)] Time constant of the ground's normal: 0.35 s at h = 0.3 m. Chosen: about a period, so
-// that one foot on a step does not tilt the body.
-constexpr double kNormalTime = 2.0;
+// [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
+// of a period of 0.42 s, has stepped into a hole.
+constexpr double kMaxWait = 0.15;
 // is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.045;
@@ -64,6 +64,8 @@ void Stepping::start_recovery(const PlannerInput& input, double height_offset) n
 void Stepping::begin(const PlannerInput& input, double height_offset) noexcept {
   at_rest_ = changes_pattern_ = false;
   contacts_.start();
+  stumble_.start();
+  clearance_.start();
   ground_.start(input.p_feet);
   sway_.start();
   const Eigen::Vector2d p = input.p_com.head<2>();
@@ -75,16 +77,17 @@ void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& co
                     const BodyMotion& offset, bool may_stop, Reference& reference) noexcept {
   const HorizontalMotion measured = motion_without_sway(input);
   at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input, measured));
+  const Eigen::Vector4d contact = judge_contacts(input);
   update_pattern(input.gains, walk, command);
   update_clock(input, measured);
-  contacts_.update(clock_, input.state.contact, input.dt);
-  for (int leg = 0; leg < kLegs; ++leg) {
-    if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
-  }
-  ground_.update(kNormalTime * size_.time, input.dt);
+  contacts_.update(clock_, contact, stumble_.lifting(), input.dt);
+  update_ground(input);
   body_.update(input.gains, command, measured, acceleration_share(input.gains, command), input.dt);
   update_sway(input);
   body_.write(ground_, sway_, offset, input.delay, reference);
+  // For those who compare base and reference: the QP moves the centre of mass.
+  reference.p_base = reference.p_com + input.state.q.head<3>() - input.p_com;
+  reference.v_base = reference.v_com;
   reference.stepping = true;
   for (int leg = 0; leg < kLegs; ++leg) {
     plan_foot(leg, input, measured);
@@ -104,7 +107,7 @@ StepPattern Stepping::suitable_pattern(const Gains& gains, bool walk,
                                        const WalkVelocity& command) const noexcept {
   StepPattern pattern = pattern_;
   pattern.walk = walk;
-  if (walk && hip_speed(size_, command) > 0.0) {
+  if (walk && size_.fastest_hip(command) > 0.0) {
     pattern.order = best_walk_order(pattern_.order, size_, command,
                                     gait_timing(pattern, gains, size_, command).period,
                                     gains.walk_gait_margin * size_.height);
@@ -128,7 +131,7 @@ void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity&
 // where it stood at the beginning.
 double Stepping::acceleration_share(const Gains& gains,
                                     const WalkVelocity& command) const noexcept {
-  const bool brakes = hip_speed(size_, command) < hip_speed(size_, body_.velocity());
+  const bool brakes = size_.fastest_hip(command) < size_.fastest_hip(body_.velocity());
   if (!pattern_.walk || brakes) return 1.0;
   const double acceleration = gains.walk_gait_speed * size_.speed / clock_.timing().period;
   return std::min(1.0, acceleration / (gains.walk_acceleration * kGravity));
@@ -165,9 +168,46 @@ NextSwing Stepping::next_swing(const PlannerInput& input, int leg) const noexcep
 void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
   GaitTiming timing = gait_timing(pattern_, input.gains, size_, body_.velocity());
   timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
+  clock_.advance(timing, longest_wait(), at_rest_ || changes_pattern_, input.dt);
+}
+
+// Return the contact confidences, but 0 of a swing foot that hits an obstacle.
+Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
+  Eigen::Vector4d contact = input.state.contact;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contacts_.phase(leg) != FootPhase::kSwing) {
+      stumble_.end(leg);
+      continue;
+    }
+    const Vector3 p = input.p_feet.col(leg);
+    const SwingFoot foot{swings_[leg].p_world(),
+                         swings_[leg].v_world(),
+                         p,
+                         input.v_feet.col(leg),
+                         p.z() - ground_.height_at(p.head<2>()),
+                         contact[leg]};
+    contact[leg] = stumble_.update(leg, foot, clock_.swing_progress(leg), input.dt);
+    if (!stumble_.begins(leg)) continue;
+    swings_[leg].lift_off(stumble_.p_start(leg));
+    clearance_.stumble();
+  }
+  return contact;
+}
+
+double Stepping::longest_wait() const noexcept {
+  if (stumble_.any()) return stumble_.longest_time();
   // A walk lifts a foot only when the other three carry their full load.
-  clock_.advance(timing, contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0),
-                 at_rest_ || changes_pattern_, input.dt);
+  return contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0) ? kMaxWait * clock_.timing().period : 0.0;
+}
+
+void Stepping::update_ground(const PlannerInput& input) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 foot = input.p_feet.col(leg);
+    if (contacts_.landed(leg)) clearance_.land(foot.z() - ground_.height_at(foot.head<2>()));
+    if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, foot);
+  }
+  clearance_.advance(body_.v_world().norm(), input.dt);
+  ground_.update(size_.time, input.p_com.head<2>(), input.dt);
 }
 
 void Stepping::plan_foot(int leg, const PlannerInput& input,
@@ -178,15 +218,20 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
     swing.reach_down(kReachDownSpeed * size_.speed, input.dt);
   }
   if (contacts_.phase(leg) != FootPhase::kSwing) return;
-  const double time_left = clock_.time_to_touchdown(leg);
+  const bool lifting = stumble_.lifting(leg);
+  const double time_left = lifting ? stumble_.time_left(leg) : clock_.time_to_touchdown(leg);
   const Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body_, leg, time_left, clock_.timing().stance_time());
   footholds_.col(leg) << xy, ground_.height_at(xy);
-  const double height =
+  Vector3 target = footholds_.col(leg);
+  if (lifting && stumble_.rises(leg)) target.head<2>() = stumble_.p_start(leg).head<2>();
+  const double planned =
       pattern_.walk ? input.gains.walk_gait_swing_height : input.gains.swing_height;
-  swing.update({height * size_.height, input.gains.swing_landing_speed * size_.speed},
-               footholds_.col(leg), clock_.swing_progress(leg), clock_.timing().swing_time(),
-               time_left, input.dt);
+  const double height =
+      lifting ? stumble_.height() : planned * size_.height + clearance_.extra();
+  swing.update({height, input.gains.swing_landing_speed * size_.speed}, target,
+               lifting ? stumble_.progress(leg) : clock_.swing_progress(leg),
+               lifting ? stumble_.time() : clock_.timing().swing_time(), time_left, input.dt);
 }
 
 void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept {

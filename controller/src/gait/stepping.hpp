@@ -6,6 +6,8 @@
 #include "gait/gait_clock.hpp"
 #include "gait/gait_timing.hpp"
 #include "gait/ground_plane.hpp"
+#include "gait/stumble.hpp"
+#include "gait/swing_clearance.hpp"
 #include "gait/swing_trajectory.hpp"
 #include "surefoot/planner.hpp"
 
@@ -15,7 +17,8 @@ namespace surefoot {
 /// foothold, and the body moves with the commanded velocity. Real-time: yes.
 class Stepping {
  public:
-  explicit Stepping(const GaitSize& size) : size_(size), body_(size), sway_(size) {}
+  explicit Stepping(const GaitSize& size)
+      : size_(size), stumble_(size), clearance_(size), body_(size), sway_(size) {}
 
   /// Begin at the measured state: all feet stand.
   /// @param walk whether the robot walks with three feet down; false: it trots
@@ -58,12 +61,17 @@ class Stepping {
   void update_sway(const PlannerInput& input) noexcept;
   NextSwing next_swing(const PlannerInput& input, int leg) const noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
+  Eigen::Vector4d judge_contacts(const PlannerInput& input) noexcept;
+  double longest_wait() const noexcept;  // [s] of the clock
+  void update_ground(const PlannerInput& input) noexcept;
   void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
 
   GaitSize size_;
   GaitClock clock_;
   FootContacts contacts_;
+  Stumble stumble_;
+  SwingClearance clearance_;
   GroundPlane ground_;
   BodyTrajectory body_;
   BodySway sway_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gait/walk_power.hpp"
+
 namespace surefoot {
 
 void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept {
@@ -26,6 +28,10 @@ void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& vel
   const double forward = (walk ? gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
   const double backward = (walk ? gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
   velocity_.vx = clamp(velocity.vx, -backward, forward, WalkLimit::kForward);
+  const double factor = power_factor(gains, size_, power_limit_, velocity_);
+  if (factor == 1.0) return;
+  limit_ = WalkLimit::kPower;
+  velocity_ = {factor * velocity_.vx, factor * velocity_.vy, factor * velocity_.yaw_rate};
 }
 
 void VelocityCommand::advance(double dt) noexcept {

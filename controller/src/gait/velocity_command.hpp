@@ -13,7 +13,9 @@ namespace surefoot {
 class VelocityCommand {
  public:
   /// @param timeout age above which the command becomes 0 [s]
-  VelocityCommand(const GaitSize& size, double timeout) : size_(size), timeout_(timeout) {}
+  /// @param power_limit [m g sqrt(g h)], see power_factor()
+  VelocityCommand(const GaitSize& size, double timeout, double power_limit)
+      : size_(size), timeout_(timeout), power_limit_(power_limit) {}
 
   /// Set the velocity, clamped to the limits of the gait. A velocity with a NaN or an infinity
   /// changes nothing.
@@ -30,6 +32,7 @@ class VelocityCommand {
  private:
   GaitSize size_;
   double timeout_;
+  double power_limit_;
   double age_ = std::numeric_limits<double>::infinity();  // [s]
   WalkVelocity velocity_;
   WalkLimit limit_ = WalkLimit::kNone;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gait/trot_load.hpp"
 #include "reference/capture_margin.hpp"
 
 namespace surefoot {
@@ -15,8 +16,8 @@ constexpr double kStandingTime = 0.3;
 // [s] Time without any contact after which the robot is lifted or falls. Chosen: longer than the
 // flight of a fast trot, 80 ms at h = 0.3 m.
 constexpr double kAirborneTime = 0.2;
-// Sum of the contact confidences below which no foot is in contact, and confidence that each foot
-// must exceed to begin a walk.
+// Sum of the contact confidences below which no foot is in contact, and confidence that three feet
+// must exceed to begin a walk: on a slope the fourth one may carry next to nothing.
 constexpr double kContact = 0.5;
 // [s] Longest time for which the swing feet of a robot with a lost leg are put down. Chosen: longer
 // than a swing. A foot that meets no ground is then a stance foot, as in a stand.
@@ -26,11 +27,15 @@ constexpr double kLostContact = 0.3;
 
 }  // namespace
 
-WalkPlanner::WalkPlanner(const Robot& robot, double velocity_timeout)
-    : WalkPlanner(robot, GaitSize(robot), velocity_timeout) {}
+WalkPlanner::WalkPlanner(const Robot& robot, double velocity_timeout, double power_limit)
+    : WalkPlanner(robot, GaitSize(robot), velocity_timeout, power_limit) {}
 
-WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout)
-    : command_(size, velocity_timeout), stand_(robot), stepping_(size) {}
+WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout,
+                         double power_limit)
+    : can_walk_(trot_load(robot).share <= kMaxTrotLoad),
+      command_(size, velocity_timeout, power_limit / (robot.mass() * kGravity * size.speed)),
+      stand_(robot),
+      stepping_(size) {}
 
 void WalkPlanner::reset() noexcept {
   walking_ = recovering_ = false;
@@ -43,7 +48,8 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
   update_times(input);
   const bool walk = wants_to_walk(input);
   const bool recover = !walking_ && must_step(input);
-  if (!walking_ && !recover && !(walk && input.state.contact.minCoeff() > kContact)) {
+  const bool may_walk = walk && (input.state.contact.array() > kContact).count() >= 3;
+  if (!walking_ && !recover && !may_walk) {
     return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
@@ -79,13 +85,14 @@ void WalkPlanner::update_times(const PlannerInput& input) noexcept {
 
 bool WalkPlanner::wants_to_walk(const PlannerInput& input) const noexcept {
   if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > kAirborneTime) return false;
-  return !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
+  return can_walk_ && !command_.has_expired() && (gait_ == Gait::kTrot || !command_.is_zero());
 }
 
 // Return whether a standing robot must step: the capture point leaves the polygon of the feet. With
 // two feet off the ground it steps earlier, because the body already turns about the others.
 bool WalkPlanner::must_step(const PlannerInput& input) const noexcept {
-  if (input.lost_leg >= 0 || time_ < kStandingTime || airborne_time_ > 0.0) return false;
+  if (!can_walk_ || input.lost_leg >= 0) return false;
+  if (time_ < kStandingTime || airborne_time_ > 0.0) return false;
   const bool tips = (input.state.contact.array() < kLostContact).count() >= 2;
   const double margin =
       tips ? input.gains.recovery_margin : std::min(input.gains.recovery_margin, 0.0);

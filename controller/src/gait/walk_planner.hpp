@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "gait/stepping.hpp"
 #include "gait/velocity_command.hpp"
 #include "reference/stand_planner.hpp"
@@ -15,7 +17,9 @@ namespace surefoot {
 class WalkPlanner : public Planner {
  public:
   /// @param velocity_timeout age above which a commanded velocity becomes 0 [s]
-  explicit WalkPlanner(const Robot& robot, double velocity_timeout = 0.5);
+  /// @param power_limit largest power of a command [W], see ControllerOptions
+  explicit WalkPlanner(const Robot& robot, double velocity_timeout = 0.5,
+                       double power_limit = std::numeric_limits<double>::infinity());
 
   void set_velocity(const Gains& gains, const WalkVelocity& velocity) noexcept {
     command_.set(gains, gait_, velocity);
@@ -27,6 +31,8 @@ class WalkPlanner : public Planner {
   /// Return whether a pose is latched or the robot walks.
   bool has_started() const noexcept { return walking_ || stand_.has_latched(); }
   bool walking() const noexcept { return walking_; }
+  /// Return whether the motors can carry the robot on two feet, see kMaxTrotLoad; else it stands.
+  bool can_walk() const noexcept { return can_walk_; }
   Gait gait() const noexcept { return gait_; }
   const VelocityCommand& command() const noexcept { return command_; }
   StandPlanner& stand() noexcept { return stand_; }
@@ -34,7 +40,8 @@ class WalkPlanner : public Planner {
   const Stepping& stepping() const noexcept { return stepping_; }
 
  private:
-  WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout);
+  WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout,
+              double power_limit);
   void start_walk(const PlannerInput& input, bool recover, bool walk_gait) noexcept;
   void update_times(const PlannerInput& input) noexcept;
   bool wants_to_walk(const PlannerInput& input) const noexcept;
@@ -42,6 +49,7 @@ class WalkPlanner : public Planner {
   bool must_stand() const noexcept;
   bool plan_stand(const PlannerInput& input, Reference& reference) noexcept;
 
+  bool can_walk_;
   Gait gait_ = Gait::kAuto;
   bool walking_ = false;
   bool recovering_ = false;     // the robot trots because of a push, not of a command

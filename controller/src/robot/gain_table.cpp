@@ -129,6 +129,11 @@ constexpr GainInfo kRows[] = {
      "greatest acceleration of the commanded velocity"},
     {kWalking, "walk_turn_acceleration", "g/h", 0.01, 2, &G::walk_turn_acceleration,
      "greatest acceleration of the commanded yaw rate"},
+    {kWalking, "walk_power_rest", "m g sqrt(g h)", 0, 10, &G::walk_power_rest,
+     "power peaks of a trot in place; with walk_power_rise and ControllerOptions::power_limit they "
+     "limit the commanded velocity"},
+    {kWalking, "walk_power_rise", "m g sqrt(g h)", 0.1, 100, &G::walk_power_rise,
+     "additional power peaks at a speed of sqrt(g h); they grow with the cube of the speed"},
     {kWalking, "walk_speed_forward", "sqrt(g h)", 0, 3, &G::walk_speed_forward,
      "greatest commanded speed forward"},
     {kWalking, "walk_speed_backward", "sqrt(g h)", 0, 3, &G::walk_speed_backward,

@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-void write_robot_snapshot(const StandController& controller, const LowState& state,
+void write_robot_snapshot(const WalkController& controller, const LowState& state,
                           const Vector12& tau_max, RunSnapshot& snapshot) noexcept {
   const RobotState& estimated = controller.state();
   const Reference& desired = controller.reference();
@@ -24,6 +24,10 @@ void write_robot_snapshot(const StandController& controller, const LowState& sta
     const double tau = std::abs(static_cast<double>(state.motorState[i].tauEst));
     snapshot.torque_ratio = std::max(snapshot.torque_ratio, tau / tau_max[i]);
   }
+  snapshot.commanded_velocity = controller.commanded_velocity();
+  snapshot.reference_velocity = controller.reference_velocity();
+  snapshot.velocity_limit = controller.velocity_limit();
+  snapshot.gait = controller.gait();
   snapshot.command_power = controller.command_power();
   const auto& forces = controller.solution().forces;
   for (int leg = 0; leg < kLegs; ++leg) {

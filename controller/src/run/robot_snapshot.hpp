@@ -7,7 +7,7 @@ namespace surefoot {
 
 /// Write pose, desired forces, contacts, tracking errors, torques and power of the robot into a
 /// snapshot. Real-time: yes.
-void write_robot_snapshot(const StandController& controller, const LowState& state,
+void write_robot_snapshot(const WalkController& controller, const LowState& state,
                           const Vector12& tau_max, RunSnapshot& snapshot) noexcept;
 
 }  // namespace surefoot

@@ -42,6 +42,7 @@ SupervisorOptions supervisor_options(const RunOptions& options, const Controller
   out.remote = options.remote;
   out.operator_timeout = options.operator_timeout;
   out.stand = stand;
+  out.velocity_timeout = options.velocity_timeout;
   return out;
 }
 
@@ -55,6 +56,7 @@ RunLoop::RunLoop(const Robot& robot, const Gains& gains, const ControllerOptions
       tau_max_(robot.config().tau_max),
       standing_height_(standing_height(robot)),
       damping_(damping_low_cmd(gains.damping_kd)),
+      stick_speeds_(robot),
       log_(static_cast<std::size_t>(std::ceil(options.log_time * options.rate))) {}
 
 void RunLoop::tick(double time, double elapsed) noexcept {
@@ -109,7 +111,7 @@ void RunLoop::supervise(bool has_new_state, double elapsed) noexcept {
 
 // Return whether a robot with start kStanding lies. The estimator's height is above its feet.
 bool RunLoop::lies() const noexcept {
-  const double height = supervisor_.stand_controller().state().q[2];
+  const double height = supervisor_.controller().state().q[2];
   return options_.start == Start::kStanding && height < kLyingShare * standing_height_;
 }
 
@@ -130,15 +132,15 @@ void RunLoop::count_samples() noexcept {
 
 const LowCmd& RunLoop::control(const LowState& state) noexcept {
   silence_detector_.on_sample(snapshot_.time, state.tick);
-  if (options_.remote) apply_remote_sticks();
+  apply_remote(options_.remote ? decode_wireless_remote(state.wirelessRemote) : WirelessRemote());
   const LowCmd& command = supervisor_.update(state);
-  const StandController& controller = supervisor_.stand_controller();
+  const WalkController& controller = supervisor_.controller();
   snapshot_.controller_status = controller.status();
   snapshot_.controller_fault = controller.fault();
   if (snapshot_.phase != RunPhase::kDamping) {
-    const bool standing = supervisor_.mode() == Mode::kStand;
+    const bool on_feet = supervisor_.mode() == Mode::kStand || supervisor_.mode() == Mode::kWalk;
     snapshot_.usable_ticks += supervisor_.command_is_fresh();
-    snapshot_.saturated_ticks += standing && snapshot_.controller_status == Status::kSaturated;
+    snapshot_.saturated_ticks += on_feet && snapshot_.controller_status == Status::kSaturated;
     snapshot_.greatest_power = std::max(snapshot_.greatest_power, supervisor_.measured_power());
   }
   snapshot_.measured_power = supervisor_.measured_power();
@@ -181,9 +183,12 @@ void RunLoop::report_link_lost(RunReason why) noexcept {
 
 void RunLoop::sit_down_and_end() noexcept {
   const Mode mode = snapshot_.mode;
-  const bool is_up = mode == Mode::kRise || mode == Mode::kStand || mode == Mode::kSit;
-  if (options_.start == Start::kStanding || snapshot_.phase == RunPhase::kDamping ||
-      (!is_up && !supervisor_.fading())) {
+  const bool is_up = mode != Mode::kPassive && mode != Mode::kDamping;
+  if (mode == Mode::kWalk && snapshot_.phase != RunPhase::kDamping) {
+    // The supervisor stops the walk first. The next tick repeats the request.
+    supervisor_.request(options_.start == Start::kStanding ? Mode::kStand : Mode::kSit);
+  } else if (options_.start == Start::kStanding || snapshot_.phase == RunPhase::kDamping ||
+             (!is_up && !supervisor_.fading())) {
     end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
     // The supervisor may reject this request while torques fade. The next tick repeats the request.

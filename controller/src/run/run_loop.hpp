@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "run/mailbox.hpp"
+#include "run/remote_reference.hpp"
 #include "run/silence_detector.hpp"
 #include "surefoot/runner.hpp"
 
@@ -40,6 +41,8 @@ class RunLoop {
   // From any thread:
   void set_gains(const Gains& gains);  ///< throws surefoot::Error
   void set_body_reference(const BodyReference& target) { reference_mailbox_.put(target); }
+  void set_velocity(const WalkVelocity& velocity) { velocity_mailbox_.put(velocity); }
+  void set_gait(Gait gait) { gait_mailbox_.put(gait); }
 
   /// Return the state of the loop. SnapshotPublisher adds missed periods and latencies. Real-time:
   /// yes.
@@ -65,7 +68,9 @@ class RunLoop {
   RunPhase phase() const noexcept;
   RunReason damping_reason() const noexcept;
   void apply_requests() noexcept;
-  void apply_remote_sticks() noexcept;
+  void apply_remote(const WirelessRemote& remote) noexcept;
+  void handle_start_button(bool pressed) noexcept;
+  void apply_velocity(const WalkVelocity& sticks) noexcept;
   void sit_down_and_end() noexcept;
   void end(RunReason why) noexcept;
 
@@ -80,6 +85,17 @@ class RunLoop {
   BodyReference requested_pose_;
   Mailbox<Gains> gains_mailbox_;
   Mailbox<BodyReference> reference_mailbox_;
+  Mailbox<WalkVelocity> velocity_mailbox_;
+  Mailbox<Gait> gait_mailbox_;
+  WalkVelocity requested_velocity_;  // by set_velocity(), without the remote's sticks
+  // [s] Time of the last set_velocity(); -infinity: none yet.
+  double velocity_time_ = -std::numeric_limits<double>::infinity();
+  StickSpeeds stick_speeds_;
+  bool start_pressed_ = false;   // START of the remote in the last sample
+  bool walk_by_remote_ = false;  // the present walk was begun with START
+  WalkVelocity velocity_;        // passed to the supervisor in this tick
+  bool has_velocity_ = false;
+  Gait gait_ = Gait::kAuto;
   SilenceDetector silence_detector_;
   // true: the robot is silent, and control may resume.
   bool robot_silent_ = false;

@@ -2,7 +2,6 @@
 // Requests to the loop, from other threads and from the remote's sticks.
 #include <cmath>
 
-#include "run/remote_reference.hpp"
 #include "run/run_loop.hpp"
 
 namespace surefoot {
@@ -35,6 +34,8 @@ void RunLoop::apply_requests() noexcept {
     supervisor_.set_gains(gains_);  // validated in set_gains()
     damping_ = damping_low_cmd(gains_.damping_kd);
   }
+  if (velocity_mailbox_.take(requested_velocity_)) velocity_time_ = snapshot_.time;
+  if (gait_mailbox_.take(gait_)) supervisor_.set_gait(gait_);
   BodyReference requested_pose;
   if (!reference_mailbox_.take(requested_pose)) return;
   supervisor_.set_body_reference(requested_pose);
@@ -43,13 +44,42 @@ void RunLoop::apply_requests() noexcept {
   if (is_finite(requested_pose)) requested_pose_ = requested_pose;
 }
 
-void RunLoop::apply_remote_sticks() noexcept {
-  const WirelessRemote remote = decode_wireless_remote(link_.state().wirelessRemote);
-  const BodyReference sticks = remote_reference(remote);
+// The sticks move the body of a standing robot, and give the velocity of a walking one.
+void RunLoop::apply_remote(const WirelessRemote& remote) noexcept {
+  handle_start_button(remote.pressed(Button::kStart));
+  const bool walks = supervisor_.mode() == Mode::kWalk;
+  apply_velocity(walks ? remote_velocity(remote, stick_speeds_) : WalkVelocity());
+  if (!options_.remote) return;
+  const BodyReference sticks = walks ? BodyReference() : remote_reference(remote);
   supervisor_.set_body_reference(
       {requested_pose_.x + sticks.x, requested_pose_.y + sticks.y,
        requested_pose_.height + sticks.height, requested_pose_.roll + sticks.roll,
        requested_pose_.pitch + sticks.pitch, requested_pose_.yaw + sticks.yaw});
+}
+
+// START begins and ends a walk.
+void RunLoop::handle_start_button(bool pressed) noexcept {
+  if (pressed && !start_pressed_) {
+    const bool walks = supervisor_.mode() == Mode::kWalk;
+    snapshot_.start_answer = supervisor_.request(walks ? Mode::kStand : Mode::kWalk);
+    ++snapshot_.start_presses;
+    walk_by_remote_ = !walks && snapshot_.start_answer == RequestStatus::kAccepted;
+  }
+  start_pressed_ = pressed;
+}
+
+// Pass the sum of set_velocity() and the sticks to the supervisor. If neither a program nor the
+// remote gives a velocity, nothing is passed, so the velocity expires and the walk ends.
+void RunLoop::apply_velocity(const WalkVelocity& sticks) noexcept {
+  const bool is_current = snapshot_.time - velocity_time_ < options_.velocity_timeout;
+  const bool sticks_moved = sticks.vx != 0.0 || sticks.vy != 0.0 || sticks.yaw_rate != 0.0;
+  has_velocity_ = is_current || sticks_moved || walk_by_remote_;
+  if (!has_velocity_) return;
+  velocity_ = is_current ? requested_velocity_ : WalkVelocity();
+  velocity_.vx += sticks.vx;
+  velocity_.vy += sticks.vy;
+  velocity_.yaw_rate += sticks.yaw_rate;
+  supervisor_.set_velocity(velocity_);
 }
 
 }  // namespace surefoot

@@ -17,8 +17,8 @@ void RunLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   if (!link_.has_state() ||
       (last_driven_time_ >= 0.0 && snapshot_.time - last_driven_time_ > log_tail))
     return;
-  log_.add(
-      {snapshot_.time, has_new_state, mode, supervisor_.damping_fault(), link_.state(), command});
+  log_.add({snapshot_.time, has_new_state, mode, supervisor_.damping_fault(), velocity_,
+            has_new_state && has_velocity_, gait_, link_.state(), command});
 }
 
 // Update the phase, its reason and the counts after a tick.
@@ -34,6 +34,7 @@ void RunLoop::update_phase() noexcept {
   }
   snapshot_.rearms += previous_mode == Mode::kDamping && snapshot_.mode != Mode::kDamping;
   if (snapshot_.mode == Mode::kStand && previous_mode != Mode::kStand) requested_pose_ = {};
+  if (snapshot_.mode != Mode::kWalk && previous_mode == Mode::kWalk) walk_by_remote_ = false;
   snapshot_.stood = snapshot_.stood || snapshot_.mode == Mode::kStand;
   const bool duration_started = snapshot_.stood || options_.start == Start::kStanding;
   if (duration_started && duration_start_ < 0.0) duration_start_ = snapshot_.time;
@@ -65,6 +66,8 @@ RunPhase RunLoop::phase() const noexcept {
       return RunPhase::kRising;
     case Mode::kStand:
       return RunPhase::kStanding;
+    case Mode::kWalk:
+      return RunPhase::kWalking;
     case Mode::kSit:
       return RunPhase::kSitting;
     case Mode::kDamping:
@@ -102,8 +105,9 @@ const RunSnapshot& RunLoop::snapshot() noexcept {
   snapshot_.rise_failed = supervisor_.rise_failed();
   snapshot_.rise_progress = supervisor_.rise_progress();
   snapshot_.rise_stage = supervisor_.rise_stage();
+  snapshot_.stopping = supervisor_.stopping();
   snapshot_.refused_rearms = refused_rearms_.load();
-  write_robot_snapshot(supervisor_.stand_controller(), link_.state(), tau_max_, snapshot_);
+  write_robot_snapshot(supervisor_.controller(), link_.state(), tau_max_, snapshot_);
   return snapshot_;
 }
 

@@ -26,6 +26,7 @@ void RunOptions::validate() const {
   check("log_time", log_time, 0.0, 600.0, " [s]");
   check("operator_timeout", operator_timeout, 0.01, std::numeric_limits<double>::infinity(),
         " [s]");
+  check("velocity_timeout", velocity_timeout, 0.01, 60.0, " [s]");
   if (!(duration > 0.0)) {
     throw Error("option 'duration' out of range: got " + to_text(duration) + ", expected > 0 [s]");
   }
@@ -41,6 +42,8 @@ const char* to_string(RunPhase phase) noexcept {
       return "rising";
     case RunPhase::kStanding:
       return "standing";
+    case RunPhase::kWalking:
+      return "walking";
     case RunPhase::kSitting:
       return "sitting";
     case RunPhase::kDamping:

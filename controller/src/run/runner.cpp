@@ -92,6 +92,8 @@ void Runner::set_gains(const Gains& gains) { impl_->loop.set_gains(gains); }
 void Runner::set_body_reference(const BodyReference& target) {
   impl_->loop.set_body_reference(target);
 }
+void Runner::set_velocity(const WalkVelocity& velocity) { impl_->loop.set_velocity(velocity); }
+void Runner::set_gait(Gait gait) { impl_->loop.set_gait(gait); }
 int Runner::local_port() const noexcept { return impl_->loop.local_port(); }
 const RunLog& Runner::log() const {
   if (impl_->running.load())

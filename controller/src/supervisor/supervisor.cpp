@@ -28,7 +28,7 @@ void SupervisorOptions::validate() const {
   expect("payload_limit", payload_limit, 0.0, kUnlimited);
   expect("operator_timeout", operator_timeout, 0.01, kUnlimited);
   expect("joint_margin", joint_margin, -0.5, 0.5);
-  stand.validate();
+  WalkOptions{stand, velocity_timeout}.validate();
 }
 
 Supervisor::Supervisor(const Robot& robot) : Supervisor(robot, robot.config().gains) {}
@@ -64,15 +64,22 @@ RiseStage Supervisor::rise_stage() const noexcept { return impl_->published_stag
 bool Supervisor::rise_failed() const noexcept { return impl_->rise_abandoned; }
 
 void Supervisor::set_body_reference(const BodyReference& target) noexcept {
-  impl_->stand.set_body_reference(target);
+  impl_->controller.set_body_reference(target);
 }
 void Supervisor::set_gains(const Gains& gains) { impl_->set_gains(gains); }
-const StandController& Supervisor::stand_controller() const noexcept { return impl_->stand; }
+void Supervisor::set_velocity(const WalkVelocity& velocity) noexcept {
+  impl_->set_velocity(velocity);
+}
+void Supervisor::set_gait(Gait gait) noexcept { impl_->set_gait(gait); }
+Gait Supervisor::gait() const noexcept { return impl_->gait; }
+bool Supervisor::stopping() const noexcept { return impl_->requests.context().stopping; }
+const WalkController& Supervisor::controller() const noexcept { return impl_->controller; }
 bool Supervisor::command_is_fresh() const noexcept { return impl_->fresh; }
 double Supervisor::measured_power() const noexcept { return impl_->safety.power(); }
 
 const char* to_string(Mode mode) noexcept {
-  constexpr std::array<const char*, 5> names = {"passive", "rise", "stand", "sit", "damping"};
+  constexpr std::array<const char*, 6> names = {"passive", "rise", "stand",
+                                                "walk",    "sit",  "damping"};
   return names[static_cast<int>(mode)];
 }
 
@@ -86,8 +93,9 @@ const char* to_string(Start start) noexcept {
 }
 
 const char* to_string(RequestStatus status) noexcept {
-  constexpr std::array<const char*, 7> names = {
-      "accepted", "no_state", "not_armed", "not_ready", "latched", "out_of_order", "busy"};
+  constexpr std::array<const char*, 8> names = {"accepted",  "no_state",   "not_armed",
+                                                "not_ready", "latched",    "out_of_order",
+                                                "busy",      "cannot_walk"};
   return names[static_cast<int>(status)];
 }
 

@@ -13,6 +13,9 @@ namespace {
 // Derived: at the start of a push the estimator responds within 6 ms, and torques may be limited
 // for so long; plus one period. Shorter than the 10 ms of fault_table().
 constexpr double kRateLimitedTime = 0.008;
+// [s] The same while feet step: loads move from one pair of feet to the other, and the torques are
+// limited for up to 40 ms (go1) and 100 ms (b1) in each step.
+constexpr double kSteppingRateLimitedTime = 0.15;
 
 }  // namespace
 
@@ -24,7 +27,7 @@ MotorDemand Supervisor::Impl::demand_of(TorqueSource source, const LowState& sta
     out.kd.setConstant(impedance.damping());
   }
   if (source != TorqueSource::kController) return out;
-  const LowCmd& command = stand.update(state);
+  const LowCmd& command = controller.update(state);
   for (int i = 0; i < kMotors; ++i) {
     out.tau[i] = command.motorCmd[i].tau;
     out.kd[i] = command.motorCmd[i].Kd;
@@ -45,9 +48,10 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   // latches damping by itself. So the time without a solution is measured here.
   const bool uses_controller = fade.uses(TorqueSource::kController);
   const bool controller_idle = unsolved.update(
-      uses_controller && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
-  if (controller_idle || (uses_controller && stand.status() == Status::kDamping)) {
-    const FaultId why = stand.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
+      uses_controller && controller.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
+  if (controller_idle || (uses_controller && controller.status() == Status::kDamping)) {
+    const FaultId why =
+        controller.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
     log.set(why, true);
     latch(why);
     return command_hold.accept(damping_low_cmd(damping_kd));
@@ -58,7 +62,8 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   const bool limited =
       rate_limiter.limit(demand.tau, demand.kd, measured_velocities(state), clock.period());
   log.set(FaultId::kTorqueRate,
-          rate_limited.update(limited && uses_controller, clock.period(), kRateLimitedTime));
+          rate_limited.update(limited && uses_controller, clock.period(),
+                              is_stepping() ? kSteppingRateLimitedTime : kRateLimitedTime));
   return command_hold.accept(torque_low_cmd(demand.tau, demand.kd));
 }
 

@@ -37,16 +37,17 @@ constexpr double kMaxLoss = 0.05;
 }  // namespace
 
 void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
-  motors.update(state, dt, stand.lost_leg(), log);
+  motors.update(state, dt, controller.lost_leg(), log);
   judge_legs();
-  stand.set_torque_share(motors.torque_share());
+  controller.set_torque_share(motors.torque_share());
   impedance.set_torque_share(motors.torque_share());
-  if (is_standing()) {
-    estimator_faults.update(stand.estimator_report(), stand.state(), dt, log);
+  if (is_on_feet()) {
+    estimator_faults.update(controller.estimator_report(), controller.state(), is_stepping(), dt,
+                            log);
   } else {
     estimator_faults.reset(context.mode == Mode::kSit, log);
   }
-  encoders.update(state, dt, stand.lost_leg());
+  encoders.update(state, dt, controller.lost_leg());
   log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
   clock_monitor.update(state, dt);
   log.set(FaultId::kClock, clock_monitor.fast());
@@ -57,26 +58,27 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_loss_battery_and_operator(state, dt);
 }
 
-// Declare the leg of a failed motor lost if the robot stands, and its capture point is inside the
-// triangle of the other three feet or at most kMaxOutside outside.
+// Declare the leg of a failed motor lost if the robot stands or walks, and its capture point is
+// inside the triangle of the other three feet or at most kMaxOutside outside.
 void Supervisor::Impl::judge_legs() noexcept {
-  const int lost = stand.lost_leg();
+  const int lost = controller.lost_leg();
   if (lost >= 0) {
     if (!log.report().has(FaultId::kLegLost)) log.set(FaultId::kLegLost, true, kLegJoints * lost);
     return;
   }
   for (const FaultId id : {FaultId::kMotorMode, FaultId::kMotorWeak}) {
-    if (!log.report().has(id) || !is_standing()) continue;
+    if (!log.report().has(id) || !is_on_feet()) continue;
     const int motor = log.report().motor[static_cast<int>(id)];
     const int leg = motor / kLegJoints;
-    const Reference& stand_reference = stand.reference();
+    const Reference& stand_reference = controller.reference();
     const double height =
         stand_reference.p_com.z() - stand_reference.feet[diagonal_leg(leg)].p_world.z();
-    const double push = stand.state().f_external.head<2>().norm();
+    const double push = controller.state().f_external.head<2>().norm();
     // Both comparisons are false for NaN; the leg is then not declared lost.
     const bool push_is_small = push <= kMaxPush * kGravity * robot.mass();
-    if (!push_is_small || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
-    stand.declare_leg_lost(leg);
+    if (!push_is_small || !(controller.capture_margin_without(leg) >= -kMaxOutside * height))
+      continue;
+    controller.declare_leg_lost(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);
     return;
@@ -101,13 +103,13 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
     log.set(FaultId::kTilt, false);
     return;
   }
-  // For a standing robot, use the attitude of the StandController's estimator, and the gain
+  // For a robot on its feet, use the attitude of the controller's estimator, and the gain
   // fall_tilt as the limit.
   Quaternion R = impedance.R_world_base();
   double max_tilt = is_raising_body() ? kFallTilt : kLyingFallTilt;
-  if (is_standing()) {
-    R = Quaternion(stand.state().q.segment<4>(3).data());
-    max_tilt = stand.gains().fall_tilt;
+  if (is_on_feet()) {
+    R = Quaternion(controller.state().q.segment<4>(3).data());
+    max_tilt = controller.gains().fall_tilt;
   }
   // The field is packed, so it is copied.
   const std::array<float, 3> gyroscope = state.imu.gyroscope;
@@ -121,7 +123,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // The tilt of a lying body is not predicted, because the body may roll off a leg. A tilt below
   // half of the limit is not predicted either, because pushes turn a level body fast but end by
   // themselves.
-  const double prediction_time = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
+  const double prediction_time = is_on_feet() || is_raising_body() ? kTiltPrediction : 0.0;
   log.set(FaultId::kTilt,
           tilt > max_tilt || (tilt > 0.5 * max_tilt && tilt + prediction_time * rate > max_tilt));
 }
@@ -135,9 +137,11 @@ void Supervisor::Impl::react() noexcept {
   // latches this fault.
   const FaultId worst = log.report().first_active(FaultReaction::kDamp, sample_fault);
   if (worst != FaultId::kNone) latch(worst);
-  const bool up = context.mode == Mode::kStand || context.mode == Mode::kRise;
-  if (up && log.report().first_active(FaultReaction::kSit) != FaultId::kNone)
-    enter_mode(Mode::kSit);
+  const bool sits = log.report().first_active(FaultReaction::kSit) != FaultId::kNone;
+  const bool on_way_to_sit = context.stopping && after_stop == Mode::kSit;
+  if (active() && context.mode != Mode::kSit && sits && !on_way_to_sit) enter_mode(Mode::kSit);
+  const bool must_stand = log.report().stops_walking() != FaultId::kNone;
+  if (context.mode == Mode::kWalk && must_stand && !context.stopping) enter_mode(Mode::kStand);
 }
 
 }  // namespace surefoot

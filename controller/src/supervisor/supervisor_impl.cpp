@@ -15,10 +15,10 @@ namespace {
 // below 1. Measured with these values: at most 93 W at level 1 (100 W) in benchmarks/get_up.py; no
 // trip in benchmarks/false_trips.py.
 constexpr double kPlannedShare = 0.5;  // power of the holding torques in the rise plan
-// Limit of JointImpedance. Lower than kStandShare, because JointImpedance uses measured velocities,
-// which are 5 ms old.
+// Limit of JointImpedance. Lower than kControllerShare, because JointImpedance uses measured
+// velocities, which are 5 ms old.
 constexpr double kImpedanceShare = 0.8;
-constexpr double kStandShare = 0.9;  // limit of StandController
+constexpr double kControllerShare = 0.9;  // limit of WalkController
 constexpr Button kStopButton = Button::kB;
 
 // Return the power [W] at which the power protection trips.
@@ -27,12 +27,12 @@ double protection_power(const SupervisorOptions& options) {
   return Safety::kWattsPerLevel * std::max(options.power_level, 1);
 }
 
-// Return the options of the StandController, with power_limit below the power at which the power
+// Return the options of the controller, with power_limit below the power at which the power
 // protection trips.
 ControllerOptions within_power(const SupervisorOptions& options) {
   ControllerOptions stand = options.stand;
   if (options.power_level > 0) {
-    stand.power_limit = std::min(stand.power_limit, kStandShare * protection_power(options));
+    stand.power_limit = std::min(stand.power_limit, kControllerShare * protection_power(options));
   }
   return stand;
 }
@@ -49,7 +49,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       press_check(plan),
       motion(plan),
       impedance(r, plan, kImpedanceShare * protection_power(o)),
-      stand(r, gains, within_power(o)),
+      controller(r, gains, {within_power(o), o.velocity_timeout}),
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
       estimator_faults(o.payload_limit),
@@ -57,7 +57,8 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       damping_kd(gains.damping_kd) {
   // Arming checks and fault detectors judge the sensors of a supervised robot. A sensor that fails
   // while the robot stands has a reaction of its own there; the sensor check would always damp.
-  ControllerAccess::end_sensor_check(stand);
+  ControllerAccess::end_sensor_check(controller);
+  context.can_walk = controller.can_walk();
   context.checks_waived = o.start == Start::kStanding;
   publish();
 }
@@ -77,6 +78,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     handle_request(requests.take());
     if (context.checks_waived && context.mode == Mode::kPassive && !context.armed) take_over();
     step_motion(state, dt);
+    step_walk(dt);
   }
   const LowCmd* out = nullptr;
   if (!applies_torque()) {
@@ -91,9 +93,9 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   }
   if (good) motors.record_command(*out, state);
   const bool uses_controller = good && fade.uses(TorqueSource::kController);
-  fresh = good && (!uses_controller || is_fresh(stand.fallback_level()));
-  const bool used_fallback = stand.fallback_level() != FallbackLevel::kSolved &&
-                             stand.fallback_level() != FallbackLevel::kDamping;
+  fresh = good && (!uses_controller || is_fresh(controller.fallback_level()));
+  const bool used_fallback = controller.fallback_level() != FallbackLevel::kSolved &&
+                             controller.fallback_level() != FallbackLevel::kDamping;
   log.set(FaultId::kProgram, uses_controller && used_fallback);
   publish();
   return *out;
@@ -117,7 +119,7 @@ void Supervisor::Impl::handle_request(int request) noexcept {
     if (take_over_now) {
       take_over();
     } else {
-      stand.reset();  // all four legs count again
+      controller.reset();  // all four legs count again
     }
   } else if (request != Requests::kNoRequest) {
     const Mode mode = static_cast<Mode>(request);
@@ -128,7 +130,7 @@ void Supervisor::Impl::handle_request(int request) noexcept {
 // Take over a robot that already stands. Torques do not fade in, because the robot would sink
 // during the fade.
 void Supervisor::Impl::take_over() noexcept {
-  stand.reset();
+  controller.reset();
   motors.reset();
   context.mode = Mode::kStand;
   context.armed = true;
@@ -142,7 +144,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   requests.take();  // drop earlier requests
   if (context.mode == Mode::kDamping) return;
   context.mode = Mode::kDamping;
-  context.armed = context.ready = false;
+  context.armed = context.ready = context.stopping = false;
   arming.clear_ready();  // the checks must pass for the full arming_time again
   fade.switch_to(TorqueSource::kDamping);
   rate_limiter.set_damping_only(damping_kd);

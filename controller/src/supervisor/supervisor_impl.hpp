@@ -30,17 +30,17 @@ namespace surefoot {
 
 /// State machine of the Supervisor: its modes, and the steps of a tick.
 ///
-/// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise has the stages of
-/// RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves the mode damping. In the modes
-/// passive and damping, the motors only damp; rise and sit use JointImpedance; stand uses
-/// StandController. TorqueFade blends the torques when the mode changes, except for a change to
-/// damping.
+/// Modes: passive -> rise -> stand -> sit -> passive; stand -> walk -> stand or sit; any mode ->
+/// damping. A rise has the stages of RiseStage: hold legs, fold, weigh, press, up. Only arm()
+/// leaves the mode damping. In the modes passive and damping, the motors only damp; rise and sit
+/// use JointImpedance; stand and walk use the WalkController. TorqueFade blends the torques when
+/// the mode changes, except for a change to damping.
 ///
 /// A tick has five steps:
 ///   1. read_sample() checks the LowState; an unusable LowState is a sample fault.
 ///   2. judge() runs the fault detectors on a usable sample; react() makes the robot sit or damp.
 ///   3. handle_request() handles the request that another thread has posted.
-///   4. step_motion() moves the joint reference of rise or sit.
+///   4. step_motion() moves the joint reference of rise or sit; step_walk() ends walks and stops.
 ///   5. command() computes the LowCmd. Without a usable sample, CommandHold repeats the last LowCmd
 ///      for 10 ms; then damping is latched.
 ///
@@ -53,6 +53,14 @@ struct Supervisor::Impl {
   const LowCmd& update_without_state(double age) noexcept;
   void report_link_lost() noexcept;
   void set_gains(const Gains& gains);
+  void set_velocity(const WalkVelocity& velocity) noexcept;
+  void set_gait(Gait next) noexcept;
+
+  /// WalkController of a robot that may be unable to walk, see RequestStatus::kCannotWalk.
+  struct UncheckedWalkController : WalkController {
+    UncheckedWalkController(const Robot& robot, const Gains& gains, const WalkOptions& options)
+        : WalkController(Unchecked(), robot, gains, options) {}
+  };
 
   Robot robot;
   SupervisorOptions options;
@@ -63,7 +71,7 @@ struct Supervisor::Impl {
   RearPressCheck press_check;
   RiseMotion motion;
   JointImpedance impedance;
-  StandController stand;
+  UncheckedWalkController controller;
   Safety safety;
   Requests requests;
   Seqlock<ArmingReport> arming_report;
@@ -73,6 +81,7 @@ struct Supervisor::Impl {
   std::atomic<bool> rise_abandoned{false};  // true if the last rise was abandoned
   std::atomic<RiseStage> published_stage{RiseStage::kHoldLegs};
   std::atomic<double> published_progress{0.0};  // path parameter of the rise, 0 .. 1
+  Gait gait = Gait::kAuto;                      // of the mode kWalk
   bool fresh = false;  // true if the last command was computed from the last sample
 
  private:
@@ -92,6 +101,10 @@ struct Supervisor::Impl {
   void handle_request(int request) noexcept;
   void take_over() noexcept;
   void enter_mode(Mode mode) noexcept;
+  void start_sitting() noexcept;
+  void start_walk() noexcept;
+  void stop_stepping(Mode next) noexcept;
+  void step_walk(double dt) noexcept;
   void start_rise() noexcept;
   void step_motion(const LowState& state, double dt) noexcept;
   void rise(const LowState& state, double dt) noexcept;
@@ -114,9 +127,16 @@ struct Supervisor::Impl {
   /// Return whether the motors get torques, and not damping alone.
   bool applies_torque() const noexcept { return active() || fade.active(); }
   bool is_raising_body() const noexcept { return stage == RiseStage::kUp; }
-  bool is_standing() const noexcept { return context.mode == Mode::kStand && !fade.active(); }
+  /// Return whether the robot stands or walks, so that the estimator runs.
+  bool is_on_feet() const noexcept {
+    return (context.mode == Mode::kStand || context.mode == Mode::kWalk) && !fade.active();
+  }
+  /// Return whether the feet step: in a walk, or to keep the balance.
+  bool is_stepping() const noexcept { return is_on_feet() && controller.reference().stepping; }
 
   RequestContext context;
+  Mode after_stop = Mode::kStand;  // mode that follows when the robot has stopped
+  double stop_time = 0.0;          // [s] since the robot began to stop
   TickClock clock{kLongestStep};
   CommandHold command_hold;
   TorqueFade fade;

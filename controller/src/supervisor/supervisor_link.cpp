@@ -48,7 +48,7 @@ void Supervisor::Impl::report_link_lost() noexcept {
 }
 
 void Supervisor::Impl::set_gains(const Gains& gains) {
-  stand.set_gains(gains);
+  controller.set_gains(gains);
   damping_kd = gains.damping_kd;
   folding.set_wait(gains.fold_wait);
 }

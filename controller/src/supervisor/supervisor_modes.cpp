@@ -18,25 +18,31 @@ constexpr double kUprightTolerance = 0.35;
 }  // namespace
 
 void Supervisor::Impl::enter_mode(Mode mode) noexcept {
+  if (mode == Mode::kWalk) return start_walk();
+  if (context.mode == Mode::kWalk || is_stepping()) return stop_stepping(mode);
   if (mode == Mode::kRise) {
     start_rise();
     motors.reset();
     fade.start(TorqueSource::kImpedance);
   } else if (mode == Mode::kSit && context.mode == Mode::kStand) {
-    // A robot may have sunk while the motors damped, and then have been armed again. It must not
-    // rise before it sits down, so the motion starts at the path position nearest to the present
-    // joints.
-    const Vector12& q = impedance.q();
-    const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
-    motion.start(upright ? 1.0 : plan.nearest(q), q);
-    motion.go_to(0.0);
-    fade.start(TorqueSource::kImpedance);
+    start_sitting();
   } else {
     if (mode == Mode::kStand) rise_abandoned = false;
     motion.go_to(mode == Mode::kSit ? 0.0 : 1.0);
   }
   // A request to stand while the robot sits down starts a rise from the present path position.
   context.mode = mode == Mode::kStand ? Mode::kRise : mode;
+}
+
+void Supervisor::Impl::start_sitting() noexcept {
+  // A robot may have sunk while the motors damped, and then have been armed again. It must not rise
+  // before it sits down, so the motion starts at the path position nearest to the present joints.
+  const Vector12& q = impedance.q();
+  const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
+  motion.start(upright ? 1.0 : plan.nearest(q), q);
+  motion.go_to(0.0);
+  fade.start(TorqueSource::kImpedance);
+  context.mode = Mode::kSit;
 }
 
 void Supervisor::Impl::step_motion(const LowState& state, double dt) noexcept {
@@ -68,7 +74,7 @@ void Supervisor::Impl::enter_passive() noexcept {
   if (estimator_faults.must_sit_down()) context.armed = false;
   log.set(FaultId::kHanging, false);
   fade.start(TorqueSource::kDamping);
-  if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // the robot cannot rise on three legs
+  if (controller.lost_leg() >= 0) latch(FaultId::kLegLost);  // the robot cannot rise on three legs
 }
 
 }  // namespace surefoot

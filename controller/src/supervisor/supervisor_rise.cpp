@@ -131,7 +131,7 @@ void Supervisor::Impl::raise_body(const LowState& state, double dt) noexcept {
   } else if (motion.arrived() && imu.accelerometer_bad()) {
     enter_mode(Mode::kSit);  // the estimator cannot start without an accelerometer
   } else if (motion.arrived()) {
-    stand.reset();
+    controller.reset();
     context.mode = Mode::kStand;
     fade.start(TorqueSource::kController);
   }

@@ -47,8 +47,9 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
     if (context.checks_waived) context.state_valid = false;
   }
   // A robot that sits down on three legs must be armed again before it can rise.
-  const bool without_leg = active() && stand.lost_leg() >= 0;
+  const bool without_leg = active() && controller.lost_leg() >= 0;
   context.must_sit = blocking_fault != FaultId::kNone || without_leg;
+  context.must_stand = without_leg || log.report().stops_walking() != FaultId::kNone;
   context.ready = arming.report().ready && !context.must_sit;
   return sample_fault == FaultId::kNone;
 }
@@ -68,12 +69,15 @@ FaultId Supervisor::Impl::find_sample_fault(const LowState& state, double step) 
   log.set(FaultId::kPower,
           protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   const double elapsed = std::exchange(unchecked_time, 0.0);
-  const bool joints_fit = joints.update(state, elapsed, stand.lost_leg());
-  imu.update(state.imu, elapsed, !repeated.repeats(), context.mode != Mode::kStand);
+  const bool joints_fit = joints.update(state, elapsed, controller.lost_leg());
+  imu.update(state.imu, elapsed, !repeated.repeats(),
+             is_stepping()  ? ImuMotion::kSteps
+             : is_on_feet() ? ImuMotion::kStands
+                            : ImuMotion::kTurns);
   if (!joints_fit) return FaultId::kJointJump;
-  // A standing robot uses the attitude of its estimator. So the IMU's attitude may be implausible,
-  // but not its gyroscope.
-  if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_standing()))
+  // A robot on its feet uses the attitude of its estimator. So the IMU's attitude may be
+  // implausible, but not its gyroscope.
+  if (!imu.rates_plausible() || !(imu.attitude_plausible() || is_on_feet()))
     return FaultId::kAttitude;
   // After a gap longer than kRobotWatchdogTime the robot has damped by itself. If the caller uses
   // count_samples(), it detects gaps itself and calls report_link_lost().

@@ -2,6 +2,7 @@
 #include "surefoot/walk_controller.hpp"
 
 #include "common/text.hpp"
+#include "gait/trot_load.hpp"
 #include "gait/walk_planner.hpp"
 #include "surefoot/error.hpp"
 
@@ -12,6 +13,17 @@ namespace {
 const WalkOptions& validated(const WalkOptions& options) {
   options.validate();
   return options;
+}
+
+const Robot& checked(const Robot& robot) {
+  const TrotLoad load = trot_load(robot);
+  if (load.share <= kMaxTrotLoad) return robot;
+  const RobotConfig& config = robot.config();
+  throw Error("robot '" + config.name + "' cannot walk: on two feet " +
+              config.joint_names[load.motor] + " needs " +
+              to_text(load.share * config.tau_max[load.motor]) + " N.m, expected at most " +
+              to_text(kMaxTrotLoad * config.tau_max[load.motor]) +
+              " N.m, 0.8 of its limit; use a StandController");
 }
 
 }  // namespace
@@ -25,8 +37,12 @@ void WalkOptions::validate() const {
 
 WalkController::WalkController(const Robot& robot) : WalkController(robot, robot.config().gains) {}
 WalkController::WalkController(const Robot& robot, const Gains& gains, const WalkOptions& options)
+    : WalkController(Unchecked(), checked(robot), gains, options) {}
+WalkController::WalkController(Unchecked, const Robot& robot, const Gains& gains,
+                               const WalkOptions& options)
     : StandController(robot,
-                      std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout),
+                      std::make_shared<WalkPlanner>(robot, validated(options).velocity_timeout,
+                                                    options.tick.power_limit),
                       gains, options.tick) {}
 WalkController::~WalkController() = default;
 WalkController::WalkController(WalkController&&) noexcept = default;
@@ -47,6 +63,8 @@ Gait WalkController::gait() const noexcept { return planner().gait(); }
 bool WalkController::walking() const noexcept {
   return planner().walking() && status() != Status::kDamping;
 }
+bool WalkController::velocity_expired() const noexcept { return planner().command().has_expired(); }
+bool WalkController::can_walk() const noexcept { return planner().can_walk(); }
 FeetMatrix WalkController::footholds() const noexcept { return planner().stepping().footholds(); }
 Eigen::Vector4d WalkController::planned_loads() const noexcept {
   if (!walking()) return Eigen::Vector4d::Ones();

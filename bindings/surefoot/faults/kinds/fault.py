@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from surefoot._core import LowCmd, LowState, Robot, Supervisor, SupervisorOptions
+from surefoot._core import LowCmd, LowState, Robot, Supervisor, SupervisorOptions, WalkVelocity
 from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant, PlantSettings
 
@@ -71,6 +71,10 @@ class Fault:
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
         """Perform operator actions before tick k."""
+
+    def change_velocity(self, velocity: WalkVelocity, k: int) -> WalkVelocity | None:
+        """Return the velocity that a walking robot receives before tick k; None: none."""
+        return velocity
 
     def change_command(self, command: LowCmd, k: int) -> None:
         """Change a command in place before the motors receive it."""

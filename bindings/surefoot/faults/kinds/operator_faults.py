@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from surefoot._core import (
     RequestStatus,
     Supervisor,
     SupervisorOptions,
+    WalkVelocity,
 )
 from surefoot.faults.kinds.clock_faults import OperatorAction
 from surefoot.faults.kinds.fault import Fault
@@ -59,6 +61,28 @@ def random_poses() -> OperatorAction:
     return OperatorAction(request_pose)
 
 
+class VelocityFault(Fault):
+    """The velocity of a walking robot changes.
+
+    Args:
+        change: Function of the velocity and of the number of periods since the onset; it returns
+            the new velocity, or None for no velocity.
+    """
+
+    def __init__(self, change: Callable[[WalkVelocity, int], WalkVelocity | None]) -> None:
+        self._change = change
+
+    def change_velocity(self, velocity: WalkVelocity, k: int) -> WalkVelocity | None:
+        """Return the changed velocity."""
+        return self._change(velocity, k)
+
+
+def random_velocities() -> VelocityFault:
+    """Return a fault that sends another random velocity in every tick."""
+    rng = np.random.default_rng(17)  # any fixed seed, so that runs repeat
+    return VelocityFault(lambda velocity, k: WalkVelocity(*rng.uniform(-1.0, 1.0, 3)))
+
+
 class RemoteStopPressed(Fault):
     """Button B of the remote is pressed for 0.1 s."""
 
@@ -96,9 +120,14 @@ class OutOfOrderRequests(Fault):
     def operate(self, supervisor: Supervisor, k: int) -> None:
         """Request all modes that the present mode does not allow next."""
         current = supervisor.mode
-        allowed = {Mode.PASSIVE: Mode.RISE, Mode.RISE: Mode.SIT, Mode.STAND: Mode.SIT}
-        for mode in (Mode.PASSIVE, Mode.RISE, Mode.STAND, Mode.SIT, Mode.DAMPING):
-            if mode == allowed.get(current):
+        allowed = {
+            Mode.PASSIVE: (Mode.RISE,),
+            Mode.RISE: (Mode.SIT,),
+            Mode.STAND: (Mode.SIT, Mode.WALK),
+            Mode.WALK: (Mode.SIT, Mode.STAND),
+        }
+        for mode in Mode:
+            if mode in allowed.get(current, ()):
                 continue
             if supervisor.request(mode) == RequestStatus.ACCEPTED:
                 self._accepted.add(f"{mode.name} accepted in {current.name}")

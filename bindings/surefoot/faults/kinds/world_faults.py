@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from surefoot._core import RobotState, Supervisor, Task, TaskRows
+from surefoot._core import LowCmd, RobotState, Supervisor, Task, TaskRows, WalkVelocity
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Lift, Plant, PlantSettings, Push
 
@@ -55,6 +55,36 @@ class LiftFault(Fault):
         plant.add_lift(lift)
 
 
+class SlipperyPatch(Fault):
+    """The robot turns back on a patch with low friction, so its feet slip.
+
+    Args:
+        friction: Friction coefficient of the patch.
+        periods: Number of control periods until the robot has passed the patch.
+    """
+
+    def __init__(self, friction: float, periods: int) -> None:
+        self._friction, self._periods = friction, periods
+        self._plant: Plant | None = None
+
+    def begin(self, plant: Plant) -> None:
+        """Lower the friction of all contacts."""
+        self._plant = plant
+        model = plant.model  # soft soles touch the ground as pairs of geoms
+        self._normal_friction = model.geom_friction.copy(), model.pair_friction.copy()
+        model.geom_friction[:, 0] = model.pair_friction[:, :2] = self._friction
+
+    def change_velocity(self, velocity: WalkVelocity, k: int) -> WalkVelocity | None:
+        """Return the opposite velocity."""
+        return WalkVelocity(-velocity.vx, -velocity.vy, -velocity.yaw_rate)
+
+    def change_command(self, command: LowCmd, k: int) -> None:
+        """Restore the friction at the end of the patch; leave the command unchanged."""
+        if k == self._periods and self._plant is not None:
+            model = self._plant.model
+            model.geom_friction[:], model.pair_friction[:] = self._normal_friction
+
+
 class WorkingFootSensors(Fault):
     """The plant has working foot force sensors, even if the real robot has none."""
 
@@ -97,7 +127,7 @@ class CorruptQp(Fault):
 
     def prepare(self, supervisor: Supervisor) -> None:
         """Add the task to the StandController."""
-        supervisor.stand_controller.add_task(self._task)
+        supervisor.controller.add_task(self._task)
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
         """Activate or deactivate the task."""

@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass
 
 from surefoot._core import FaultId, Mode, RequestStatus
-from surefoot.faults.expectation import TIME_TOLERANCE, Expectation, Reaction
+from surefoot.faults.expectation import STOP_TIME, TIME_TOLERANCE, Expectation, Reaction
 from surefoot.faults.matrix.command_monitor import is_damping
 from surefoot.faults.matrix.reach_mode import RISE_TIME
 from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
-# All times are chosen; longer times cost run time (495 cells per robot take 4 to 11 minutes).
+# All times are chosen; longer times cost run time (641 cells per robot take 10 to 20 minutes).
 # [s] Time of observation after the motors damp, or after the robot lies. Longer than TorqueFade
 # (0.25 s): an error in this fade could give torque to damping motors again.
 SETTLED_TIME = 0.6
@@ -36,8 +36,8 @@ class Observation:
         sat_at: Time at which the supervisor was first in mode SIT or PASSIVE.
         passive_at: Time at which the supervisor was first in mode PASSIVE with damping motors.
         stood_at: Time at which the supervisor was first in mode STAND.
-        fell_at: Time at which, in mode STAND, a part other than a foot touched the ground, or the
-            tilt exceeded 60 degrees.
+        fell_at: Time at which, in mode STAND or WALK, a part other than a foot touched the ground,
+            or the tilt exceeded 60 degrees.
         refused_at: Time at which arming and rising were first refused. observe() requests both in
             every period after Expectation.within; if the robot is not armed, in every period.
         accepted_at: Time at which arming or rising was accepted; the requests then end.
@@ -100,7 +100,7 @@ def observe(scenario: Scenario, expectation: Expectation, mode: str) -> Observat
 
 def _max_duration(expectation: Expectation, mode: str) -> float:
     if expectation.reaction == Reaction.SIT:
-        return expectation.within + SIT_TIME
+        return expectation.within + SIT_TIME + (STOP_TIME if mode == "walking" else 0.0)
     if expectation.reaction in (Reaction.DAMP, Reaction.STAY):
         return expectation.within + STAND_TIME
     if mode == "rising":
@@ -134,7 +134,8 @@ def _observe_period(scenario: Scenario, observed: Observation, time: float) -> N
     if current == Mode.STAND and observed.stood_at is None:
         observed.stood_at = time
     plant = scenario.plant
-    if current == Mode.STAND and observed.fell_at is None and has_fallen(plant.data, plant.handles):
+    on_feet = current in (Mode.STAND, Mode.WALK)
+    if on_feet and observed.fell_at is None and has_fallen(plant.data, plant.handles):
         observed.fell_at = time
     observed.mode, observed.duration, observed.latch_reason = (
         current,

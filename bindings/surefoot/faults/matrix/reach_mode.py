@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from surefoot._core import Mode
+import math
+
+from surefoot._core import Mode, WalkVelocity
 from surefoot.faults.matrix.scenario import Scenario
 from surefoot.sim import Push
 
@@ -14,6 +16,10 @@ RISE_TIME = 15.0  # [s] longest rise with folding; median 7 to 10 s (benchmarks/
 SETTLE_TIME = 1.5  # [s] time of standing before the fault or the push; includes TorqueFade (0.25 s)
 # Impulse of the push as a share of the LIP push limit. A healthy robot survives this push in place.
 PUSH_FRACTION = 0.4
+WALK_TIME = 2.0  # [s] time of walking before the fault; longer than the acceleration
+# Velocity of a walking robot: forward [sqrt(g h)] and turn [sqrt(g/h)], h: height of the base. On a
+# go1 0.4 m/s and 0.6 rad/s.
+WALK_SPEED, WALK_TURN = 0.22, 0.1
 PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; time from its start to the fault
 
 
@@ -52,7 +58,20 @@ def _stand(scenario: Scenario, mode: str) -> str:
         impulse = PUSH_FRACTION * plant.lip_push_limit("lateral", PUSH_TIME)
         plant.add_push(Push("lateral", impulse, PUSH_TIME, plant.time))
         scenario.run(PUSH_LEAD)
+    if mode == "walking":
+        return _walk(scenario)
     return "" if scenario.supervisor.mode == Mode.STAND else _progress_text(scenario)
+
+
+def _walk(scenario: Scenario) -> str:
+    height = float(scenario.plant.data.qpos[2])
+    time = math.sqrt(height / 9.81)
+    scenario.velocity = WalkVelocity(WALK_SPEED * height / time, 0.0, WALK_TURN / time)
+    answer = scenario.supervisor.request(Mode.WALK)
+    scenario.run(WALK_TIME)
+    if scenario.supervisor.mode == Mode.WALK and scenario.supervisor.controller.walking:
+        return ""
+    return f"{_progress_text(scenario)}; walk: {answer.name}"
 
 
 def _rise(scenario: Scenario) -> str:

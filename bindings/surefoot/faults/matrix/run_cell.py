@@ -34,7 +34,7 @@ def run_cell(setup: MatrixSetup, name: str) -> dict[str, Any]:
     if tick0 is not None:
         onset = _ticks_before(setup, cell)
         tick0 = fault.tick0(onset)
-    scenario = Scenario(setup, fault, cell.case.level, tick0 or 0)
+    scenario = Scenario(setup, fault, cell.case.level, tick0 or 0, cell.mode == "walking")
     try:
         record: dict[str, Any] = json_value(_run(scenario, cell, setup.standing_height))
         return record
@@ -117,7 +117,7 @@ def _ticks_before(setup: MatrixSetup, cell: Cell) -> int:
 
     The onset is the time on the robot's clock since the first sample.
     """
-    trial = Scenario(setup, cell.case.make_fault(), cell.case.level)
+    trial = Scenario(setup, cell.case.make_fault(), cell.case.level, walking=cell.mode == "walking")
     first = trial.tick
     try:
         reach_mode(trial, cell.mode)

@@ -9,6 +9,7 @@ from surefoot._core import (
     RequestStatus,
     Start,
     SupervisorOptions,
+    WalkVelocity,
     fault_table,
 )
 from surefoot.faults.kinds.fault import Fault
@@ -21,6 +22,9 @@ from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
 PERIOD = 0.002  # [s] control period, as in command_monitor.py
+# Smallest level of the power protection for a walking robot. Chosen: a step takes up to 210 W on a
+# small robot, and a push or a fault takes more.
+WALKING_LEVEL = 5
 
 
 class Scenario:
@@ -31,6 +35,7 @@ class Scenario:
         fault: Fault to inject.
         level: Power protection level; None: the robot's default level.
         tick0: LowState.tick of the first sample [ms].
+        walking: True: the plant has the sensor errors, soles and collisions of a walking robot.
 
     Attributes:
         plant: Plant of the robot.
@@ -42,22 +47,35 @@ class Scenario:
         taken_over: True: the robot stands from the start, and the supervisor is armed without
             checks.
         k: Number of control periods since the onset of the fault; None before the onset.
+        velocity: Velocity that the supervisor receives before every tick; None: none.
     """
 
     def __init__(
-        self, setup: MatrixSetup, fault: Fault, level: int | None = None, tick0: int = 0
+        self,
+        setup: MatrixSetup,
+        fault: Fault,
+        level: int | None = None,
+        tick0: int = 0,
+        walking: bool = False,
     ) -> None:
         self.fault = fault
         robot = build_robot(setup.description)
         assumed_robot = fault.assumed_robot(robot)
-        settings = fault.plant_settings(PlantSettings(seed=setup.seed, physics_dt=COARSE_DT))
+        settings = PlantSettings(
+            seed=setup.seed,
+            physics_dt=COARSE_DT,
+            walking_sensors=walking,
+            soft_soles=walking,
+            leg_collisions=walking,
+        )
+        settings = fault.plant_settings(settings)
         self.plant = Plant(setup.description, settings, tick0=tick0)
         self.taken_over = setup.taken_over
         if self.taken_over:
             self._state = self.plant.reset()
         else:
             self._state = fault.start(self.plant, setup.lying_qpos)
-        level = power_level(robot.name) if level is None else level
+        level = _default_level(robot.name, walking) if level is None else level
         start = Start.STANDING if self.taken_over else Start.LYING
         options = SupervisorOptions(power_level=level, start=start)
         fault.set_options(options)
@@ -67,6 +85,7 @@ class Scenario:
         self._loopback = FrameLoopback(robot.name) if fault.uses_frames else None
         self.command = LowCmd()
         self.k: int | None = None
+        self.velocity: WalkVelocity | None = None
         self.armed = False
         self._counts_before_arming: dict[str, int] = {}
         if fault.from_start:
@@ -105,6 +124,7 @@ class Scenario:
             )
         if k is not None:
             fault.operate(self.supervisor, k)
+        self._send_velocity()
         if runs:
             self.command = self.supervisor.update(received)
             dq = self.plant.data.qvel[self.plant.handles.motor_v]
@@ -115,6 +135,15 @@ class Scenario:
             fault.change_command(delivered, k)
             self.k = k + 1
         self._state = self.plant.step(delivered)
+
+    def _send_velocity(self) -> None:
+        if self.velocity is None:
+            return
+        velocity: WalkVelocity | None = self.velocity
+        if self.k is not None:
+            velocity = self.fault.change_velocity(self.velocity, self.k)
+        if velocity is not None:
+            self.supervisor.set_velocity(velocity)
 
     def run(self, seconds: float) -> None:
         """Run all control periods of a time [s]."""
@@ -173,3 +202,9 @@ class Scenario:
         """Close the sockets of the link."""
         if self._loopback is not None:
             self._loopback.close()
+
+
+def _default_level(robot: str, walking: bool) -> int:
+    """Return the level of the power protection for a cell that does not state one."""
+    level = power_level(robot)
+    return max(level, WALKING_LEVEL) if walking else level

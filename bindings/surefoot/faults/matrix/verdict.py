@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from surefoot._core import Mode
-from surefoot.faults.expectation import TIME_TOLERANCE, Expectation, Reaction
+from surefoot.faults.expectation import STOP_TIME, TIME_TOLERANCE, Expectation, Reaction
 from surefoot.faults.matrix.observation import Observation
 
 GRAVITY = 9.81  # [m/s^2]
@@ -38,6 +38,7 @@ def reaction_time(observed: Observation, expectation: Expectation) -> float | No
         Reaction.STAY: observed.damped_at,
         Reaction.WATCH: observed.reported_at,
         Reaction.DEGRADE: observed.reported_at,
+        Reaction.STAND: observed.reported_at,
     }[expectation.reaction]
 
 
@@ -57,7 +58,7 @@ def deviations(
     if expectation.reaction == Reaction.STAY:
         return _stays(observed, expectation, height)
     if expectation.reaction == Reaction.SIT:
-        return _sits(observed, expectation) + descends_too_fast(observed, height)
+        return _sits(observed, expectation, mode) + descends_too_fast(observed, height)
     if expectation.reaction == Reaction.REFUSE:
         return _refuses(observed)
     return _goes_on(observed, expectation, mode)
@@ -116,14 +117,13 @@ def _stays(observed: Observation, expectation: Expectation, height: float) -> li
     return problems
 
 
-def _sits(observed: Observation, expectation: Expectation) -> list[str]:
+def _sits(observed: Observation, expectation: Expectation, mode: str) -> list[str]:
     if observed.sat_at is None:
         return [f"never sat down, {observed.mode.name} at the end"]
     problems = []
-    if observed.sat_at > expectation.within + TIME_TOLERANCE:
-        problems.append(
-            f"sat down after {_ms(observed.sat_at)}, expected {_ms(expectation.within)}"
-        )
+    within = expectation.within + (STOP_TIME if mode == "walking" else 0.0)
+    if observed.sat_at > within + TIME_TOLERANCE:
+        problems.append(f"sat down after {_ms(observed.sat_at)}, expected {_ms(within)}")
     if observed.passive_at is None:
         problems.append(f"did not lie down, {observed.mode.name} at the end")
     return problems
@@ -155,8 +155,10 @@ def _goes_on(observed: Observation, expectation: Expectation, mode: str) -> list
     problems = []
     if observed.damped_at is not None:
         problems.append(f"damped after {_ms(observed.damped_at)}")
-    if observed.mode != Mode.STAND:
-        problems.append(f"{observed.mode.name} at the end, expected STAND")
+    walks = mode == "walking" and expectation.reaction != Reaction.STAND
+    expected = Mode.WALK if walks else Mode.STAND
+    if observed.mode != expected:
+        problems.append(f"{observed.mode.name} at the end, expected {expected.name}")
     if observed.fell_at is not None:
         problems.append(f"fell after {_ms(observed.fell_at)}")
     return problems

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from surefoot.faults.case import STANDING_MODES, Case, Row, case
-from surefoot.faults.expectation import WATCH, expect_damp, expect_refusal, table_expectation
+from surefoot.faults.expectation import (
+    WATCH,
+    expect_damp,
+    expect_refusal,
+    expect_stand,
+    table_expectation,
+)
 from surefoot.faults.kinds import initial_faults as setup
-from surefoot.faults.kinds.world_faults import LiftFault, PushFault
+from surefoot.faults.kinds.world_faults import LiftFault, PushFault, SlipperyPatch
 
 RISING = ("rising",)
+SLIP_DELAY = 0.3  # [s] until a foot of a walking robot slips: the slippery patch lasts as long
 # Expected after a fall: damping for any fault, because a push can trip the power protection before
 # the supervisor detects the tilt.
 DAMP_AFTER_FALL = expect_damp(table_expectation("tilt").within)
@@ -56,6 +63,13 @@ MODEL_ROWS = (
                 lambda: setup.ChangedSurroundings(sink=0.01),
                 WATCH,
                 lying=None,
+            ),
+            case(
+                "intermittent",
+                "friction 0.2 for 0.3 s, in which it turns back",
+                lambda: SlipperyPatch(0.3, periods=150),
+                table_expectation("slip", delay=SLIP_DELAY),
+                modes=("walking",),
             ),
         ),
     ),
@@ -142,6 +156,14 @@ FALL_ROWS = (
                 lambda: LiftFault("trunk", height=0.1, duration=1.0, ramp=0.3),
                 table_expectation("lifted", delay=0.3),
                 modes=STANDING_MODES,
+                level=LANDING_LEVEL,
+            ),
+            case(
+                "wrong",
+                "by 20 cm for 1 s",
+                lambda: LiftFault("trunk", height=0.2, duration=1.0, ramp=0.3),
+                expect_stand("lifted", delay=0.5),
+                modes=("walking",),
                 level=LANDING_LEVEL,
             ),
             case(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from surefoot.faults.case import Case, Row, case
-from surefoot.faults.expectation import WATCH, table_expectation, watch_unless
+from surefoot.faults.expectation import WATCH, expect_stand, table_expectation, watch_unless
 from surefoot.faults.kinds import motor_faults as motor
 from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.signals import SignalFault
@@ -22,7 +22,8 @@ def _wrong_torque(change: inject.Change) -> SignalFault:
 def _dead_motor(injection: str, description: str, number: int, mode: int) -> Case:
     """Return a case of a dead motor: a standing robot must continue on the other three legs.
 
-    After a push, three legs can be too weak. Then damping with the fault motor_mode is accepted.
+    After a push or in a step, three legs can be too weak. Then damping with the fault motor_mode
+    is accepted.
     """
     return case(
         injection,
@@ -31,6 +32,7 @@ def _dead_motor(injection: str, description: str, number: int, mode: int) -> Cas
         table_expectation("leg_lost"),
         rising=MOTOR_MODE_FAULT,
         pushed=watch_unless("motor_mode"),
+        walking=expect_stand("", alternative="motor_mode"),
         slow_descent=True,
     )
 

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 
-from surefoot.faults.case import STANDING_MODES, Case, Row, case
-from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
+from surefoot._core import WalkVelocity
+from surefoot.faults.case import ON_FEET_MODES, Case, Row, case
+from surefoot.faults.expectation import WATCH, expect_refusal, expect_stand, table_expectation
 from surefoot.faults.kinds import operator_faults as operator
 from surefoot.faults.kinds.clock_faults import OperatorAction
 from surefoot.faults.kinds.invalid_config import InvalidConfig
 from surefoot.faults.kinds.world_faults import CorruptQp
+
+WALKING = ("walking",)
 
 NAN = math.nan
 STOP_FAULT, BUTTON_FAULT = table_expectation("stop"), table_expectation("button")
@@ -31,35 +34,35 @@ ROWS = (
                 "NaN in every tick",
                 lambda: CorruptQp(NAN),
                 CONTROLLER_FAULT,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "wrong",
                 "infinite in every tick",
                 lambda: CorruptQp(math.inf),
                 CONTROLLER_FAULT,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "intermittent",
                 "NaN in 1 tick of 25",
                 lambda: CorruptQp(NAN, every=25),
                 QP_NOT_SOLVED,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "intermittent",
                 "NaN for 10 ms of every 100 ms",
                 lambda: CorruptQp(NAN, every=50, burst=5),
                 QP_NOT_SOLVED,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "slow",
                 "in 1 tick of 25 the data is so large that the solution misses the tolerance",
                 lambda: CorruptQp(1e8, every=25, weight=1e4),
                 QP_NOT_SOLVED,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
         ),
     ),
@@ -72,28 +75,64 @@ ROWS = (
                 "20 cm down in one tick",
                 lambda: OperatorAction(operator.lower_by_20_cm),
                 WATCH,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "garbage",
                 "another pose in every tick",
                 operator.random_poses,
                 WATCH,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "off",
                 "a pose with NaN",
                 lambda: OperatorAction(operator.nan_reference),
                 WATCH,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
             ),
             case(
                 "intermittent",
                 "two poses alternate every 100 ms",
                 lambda: OperatorAction(operator.alternating_pose),
                 WATCH,
-                modes=STANDING_MODES,
+                modes=ON_FEET_MODES,
+            ),
+        ),
+    ),
+    Row(
+        "velocity_jump",
+        "the commanded velocity jumps, contains NaN or ends",
+        (
+            case(
+                "wrong",
+                "backwards in one tick",
+                lambda: operator.VelocityFault(lambda v, k: WalkVelocity(-v.vx, 0.0, -v.yaw_rate)),
+                WATCH,
+                modes=WALKING,
+            ),
+            case(
+                "garbage",
+                "another velocity in every tick",
+                operator.random_velocities,
+                WATCH,
+                modes=WALKING,
+            ),
+            case(
+                "intermittent",
+                "a velocity with NaN in every second tick",
+                lambda: operator.VelocityFault(
+                    lambda v, k: WalkVelocity(NAN, 0.0, 0.0) if k % 2 else v
+                ),
+                WATCH,
+                modes=WALKING,
+            ),
+            case(
+                "off",
+                "no more velocities",
+                lambda: operator.VelocityFault(lambda v, k: None),
+                expect_stand(""),
+                modes=WALKING,
             ),
         ),
     ),

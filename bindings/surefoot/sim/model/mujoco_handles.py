@@ -13,7 +13,7 @@ from surefoot.geometry.rotations import Array, matrix_from_wxyz
 from surefoot.sim.model.backlash import rotor_name
 from surefoot.sim.model.moving_ground import BLOCK
 from surefoot.sim.model.mujoco_model import IMU_SITE
-from surefoot.sim.model.scene import GROUND
+from surefoot.sim.model.scene import GROUND, TERRAIN
 
 Indices = npt.NDArray[np.int64]
 
@@ -34,6 +34,8 @@ class Handles:
         foot_geoms: (4,) geoms of the foot spheres.
         ground_geom: Geom of the ground plane or platform.
         ground_geoms: ground_geom, and the block under a foot if there is one.
+        terrain_geoms: Boxes of PlantSettings.terrain.
+        calf_geoms: Geoms of the calves, which may touch the terrain.
         gyro: (3,) entries of sensordata: angular velocity, IMU axes.
         accelerometer: (3,) entries of sensordata: specific force, IMU axes.
         quaternion: (4,) entries of sensordata: rotation from IMU to world axes, w x y z.
@@ -50,6 +52,8 @@ class Handles:
     foot_geoms: Indices
     ground_geom: int
     ground_geoms: tuple[int, ...]
+    terrain_geoms: frozenset[int]
+    calf_geoms: frozenset[int]
     gyro: slice
     accelerometer: slice
     quaternion: slice
@@ -71,6 +75,7 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         start, size = model.sensor(name).adr[0], model.sensor(name).dim[0]
         return slice(int(start), int(start + size))
 
+    calves = [int(model.joint(name).bodyid[0]) for name in joints[2::3]]
     return Handles(
         root=int(model.site(IMU_SITE).bodyid[0]),
         motor_q=np.array([model.joint(name).qposadr[0] for name in motors]),
@@ -81,6 +86,10 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         foot_geoms=np.array([model.geom(name).id for name in feet]),
         ground_geom=geom(GROUND),
         ground_geoms=tuple(id for id in map(geom, (GROUND, BLOCK)) if id >= 0),
+        terrain_geoms=frozenset(
+            id for id in range(model.ngeom) if model.geom(id).name.startswith(TERRAIN)
+        ),
+        calf_geoms=frozenset(np.flatnonzero(np.isin(model.geom_bodyid, calves)).tolist()),
         gyro=sensor("gyro"),
         accelerometer=sensor("accelerometer"),
         quaternion=sensor("quaternion"),

@@ -20,6 +20,7 @@ from surefoot.sim.model.scene import (
     GROUND,
     add_ground,
     add_light_and_sky,
+    add_terrain,
     set_physics,
 )
 from surefoot.sim.model.soft_ground import add_soft_contacts, set_contact_stiffness
@@ -50,6 +51,7 @@ def build_model(
     spec = load_urdf(description)
     set_physics(spec, settings)
     add_ground(spec, settings)
+    add_terrain(spec, settings)
     add_light_and_sky(spec)
     set_joints(spec, robot, description, settings)
     add_backlash(spec, robot, settings)
@@ -196,11 +198,15 @@ def add_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> N
     ):
         spec.add_sensor(name=name, type=kind, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=IMU_SITE)
     for leg, name in zip(LEGS, robot.config.foot_frames, strict=True):
+        # With a terrain, the ground is all of the world's geoms.
+        ground = (mujoco.mjtObj.mjOBJ_GEOM, BLOCK if leg == settings.block_foot else GROUND)
+        if not settings.terrain.is_flat:
+            ground = (mujoco.mjtObj.mjOBJ_BODY, "world")
         spec.add_sensor(
             name=name,
             type=mujoco.mjtSensor.mjSENS_CONTACT,
-            objtype=mujoco.mjtObj.mjOBJ_GEOM,
-            objname=BLOCK if leg == settings.block_foot else GROUND,
+            objtype=ground[0],
+            objname=ground[1],
             reftype=mujoco.mjtObj.mjOBJ_GEOM,
             refname=name,
             # Fields, reduction of contacts (3: net force, world axes), number of contacts.

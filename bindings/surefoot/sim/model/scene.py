@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import mujoco
 
 from surefoot.geometry.rotations import slope_quaternion
@@ -9,10 +11,14 @@ from surefoot.sim.model.moving_ground import add_platform
 from surefoot.sim.settings import PlantSettings
 
 GROUND = "ground"
+TERRAIN = "surefoot_terrain"  # the name of each box of a terrain begins with it
 # Values of MuJoCo Menagerie's Unitree quadrupeds. Friction is [sliding, torsional, rolling]; the
 # last two are MuJoCo's defaults and have no effect at condim 3.
 BODY_FRICTION = 0.6  # sliding friction coefficient of all geoms except the feet
 IMPRATIO = 100.0  # stiffness of friction divided by the stiffness of the normal force
+
+TERRAIN_DEPTH = 0.1  # [m] of the boxes below the ground; chosen: more than a foot's radius
+TERRAIN_DARKEST = 0.25  # [m] height from which boxes are not drawn darker; chosen: five stairs
 
 # Contact of a foot with the ground. Chosen: critically damped, with a time constant of 5 ms. This
 # is ten default physics steps, so results do not depend on the step. The impedance is so close to 1
@@ -64,6 +70,29 @@ def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
         friction=[BODY_FRICTION, 0.005, 0.0001],
         condim=3,
     )
+
+
+def add_terrain(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Add the boxes of settings.terrain to the world."""
+    for name, box in zip(terrain_names(settings), settings.terrain.boxes(), strict=True):
+        # A box reaches below the ground, so that a foot at its lower edge touches only its side.
+        half_height = 0.5 * (box.height + TERRAIN_DEPTH)
+        shade = 0.9 - 0.25 * min(1.0, box.height / TERRAIN_DARKEST)
+        spec.worldbody.add_geom(
+            name=name,
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=[0.5 * box.length, 0.5 * box.width, half_height],
+            pos=[box.x, box.y, half_height - TERRAIN_DEPTH],
+            quat=[math.cos(0.5 * box.heading), 0.0, 0.0, math.sin(0.5 * box.heading)],
+            rgba=[shade, 0.95 * shade, 0.85 * shade, 1.0],
+            friction=[BODY_FRICTION, 0.005, 0.0001],
+            condim=3,
+        )
+
+
+def terrain_names(settings: PlantSettings) -> list[str]:
+    """Return the names of the geoms of settings.terrain."""
+    return [f"{TERRAIN}_{k}" for k in range(len(settings.terrain.boxes()))]
 
 
 def add_light_and_sky(spec: mujoco.MjSpec) -> None:

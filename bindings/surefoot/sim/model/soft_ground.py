@@ -21,8 +21,8 @@ impratio, and by default the velocity gain of friction from the damping of the s
 the velocity gain are set so that the tangential behaviour does not change. Otherwise feet would
 creep, and a sliding foot would rise.
 
-The calf sinks with its foot, so collisions of calves with the ground are switched off. For all
-other parts the ground is rigid.
+The calf sinks with its foot, so collisions of calves with the ground plane are switched off. For
+all other parts, and for calves at the edges of a terrain, the ground is rigid.
 """
 
 from __future__ import annotations
@@ -32,10 +32,11 @@ import math
 import mujoco
 
 from surefoot._core import Robot
-from surefoot.sim.model.scene import FOOT_SOLIMP, FOOT_SOLREF, GROUND, IMPRATIO
+from surefoot.sim.model.scene import FOOT_SOLIMP, FOOT_SOLREF, GROUND, IMPRATIO, terrain_names
 from surefoot.sim.settings import PlantSettings
 
 GRAVITY = 9.81  # [m/s^2]
+_PLANE_BIT = 2  # bit of contype with which all parts but the calves collide with the ground plane
 # Smallest d. Chosen: the ground mass is then a ninth of the foot's own mass; a lighter ground mass
 # changes nothing.
 _MIN_IMPEDANCE = 0.1
@@ -51,19 +52,38 @@ def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings
     """Add a separate ground contact for each foot, if settings.contact_sink is above 0."""
     if settings.contact_sink <= 0.0:
         return
+    _let_calves_sink(spec, robot)
     friction = settings.friction
     for name in robot.config.foot_frames:
-        spec.add_pair(
-            name=name,
-            geomname1=GROUND,
-            geomname2=name,
-            condim=3,
-            friction=[friction, friction, 0.005, 0.0001, 0.0001],
-        )
+        for ground in (GROUND, *terrain_names(settings)):
+            spec.add_pair(
+                name=pair_name(name, ground),
+                geomname1=ground,
+                geomname2=name,
+                condim=3,
+                friction=[friction, friction, 0.005, 0.0001, 0.0001],
+            )
+
+
+def _let_calves_sink(spec: mujoco.MjSpec, robot: Robot) -> None:
+    """Switch off the collisions of calves with the ground plane; those with a terrain stay."""
+    calves = set()
+    for name in robot.config.foot_frames:
         calf = spec.body(name).parent
         while not calf.joints and calf.parent.name != "world":
             calf = calf.parent
-        spec.add_exclude(bodyname1="world", bodyname2=calf.name)
+        calves.add(calf.name)
+    plane = spec.geom(GROUND)
+    plane.contype = plane.conaffinity = _PLANE_BIT
+    for body in spec.bodies:
+        if body.name != "world" and body.name not in calves:
+            for geom in body.geoms:
+                geom.contype |= _PLANE_BIT if geom.contype else 0
+
+
+def pair_name(foot: str, ground: str) -> str:
+    """Return the name of the soft contact of a foot with a geom of the ground."""
+    return foot if ground == GROUND else f"{foot} {ground}"
 
 
 def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSettings) -> None:
@@ -79,17 +99,18 @@ def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSe
     rigid_impedance = FOOT_SOLIMP[0]
     velocity_gain = 2.0 / (FOOT_SOLREF[0] * FOOT_SOLIMP[1])  # of friction on rigid ground
     for name in robot.config.foot_frames:
-        pair = model.pair(name)
         inverse_inertia = float(model.body_invweight0[model.body(name).id, 0])
         step_ratio = damping * inverse_inertia * settings.physics_dt
         one_minus_impedance = min(1.0 - _MIN_IMPEDANCE, _MAX_STEP_RATIO / step_ratio)  # 1 - d
         impedance = 1.0 - one_minus_impedance
-        pair.solimp[:] = [impedance, impedance, 0.001, 0.5, 2.0]
-        pair.solref[:] = [
-            -stiffness * one_minus_impedance * inverse_inertia,
-            -damping * one_minus_impedance * inverse_inertia,
-        ]
-        model.pair_solreffriction[pair.id] = [-1.0, -velocity_gain * impedance]
+        for ground in (GROUND, *terrain_names(settings)):
+            pair = model.pair(pair_name(name, ground))
+            pair.solimp[:] = [impedance, impedance, 0.001, 0.5, 2.0]
+            pair.solref[:] = [
+                -stiffness * one_minus_impedance * inverse_inertia,
+                -damping * one_minus_impedance * inverse_inertia,
+            ]
+            model.pair_solreffriction[pair.id] = [-1.0, -velocity_gain * impedance]
         model.opt.impratio = (
             IMPRATIO
             * (one_minus_impedance / impedance)

@@ -1,1 +1,1 @@
-"""Page of surefoot tune live: a standing robot, and controls for its gains, in a browser."""
+"""Page of surefoot tune live: a robot that stands and walks, with controls, in a browser."""

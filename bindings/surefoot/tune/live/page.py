@@ -22,6 +22,7 @@ from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.time_panel import add_time_panel
 from surefoot.tune.live.udp_session import UdpSession
+from surefoot.tune.live.walk_panel import WalkPanel
 from surefoot.tune.live.world_panel import add_world_panel
 
 # Chosen for a person: smooth motion; plots ten times and texts four times a second.
@@ -61,7 +62,7 @@ class Page:
         server.gui.configure_theme(show_logo=False, show_share_button=False)
         self._scene = Scene(server, session.description)
         self._status = server.gui.add_markdown("")
-        self._push = self._add_robot_controls()
+        self._panels = self._add_robot_controls()
         tabs = server.gui.add_tab_group()
         with tabs.add_tab("Gains"):
             self._gains = GainPanel(
@@ -100,15 +101,19 @@ class Page:
         self._session.close()
         close_server(self._server)
 
-    def _add_robot_controls(self) -> PushPanel | None:
+    def _add_robot_controls(self) -> list[WalkPanel | PushPanel]:
+        """Add the controls of the robot; return the panels that need to be refreshed."""
         gui, session, post = self._server.gui, self._session, self.loop.post
         if isinstance(session, UdpSession):
             add_link_panel(gui, session, lambda: self._zero_reference())
         if not isinstance(session, Simulation):
-            return None
+            return []
         add_time_panel(gui, self.loop, session)
+        with gui.add_folder("Walk"):
+            walk = WalkPanel(gui, session, post)
         with gui.add_folder("Push"):
-            return PushPanel(gui, session, post, self.notifier)
+            push = PushPanel(gui, session, post, self.notifier)
+        return [walk, push]
 
     def _add_view_controls(self, plain: bool) -> None:
         hint = "no shadows and reflections, for a computer without a GPU"
@@ -145,6 +150,8 @@ class Page:
                 window_start, window_frames = now, 0
 
     def _refresh(self, count: int) -> None:
+        if isinstance(self._session, Simulation):
+            self._session.attended = bool(self._server.get_clients())
         self._scene.show(self._session.scene_state)
         if count % _PLOT_EVERY == 0:
             self._plots.refresh()
@@ -153,8 +160,8 @@ class Page:
 
     def _refresh_texts(self) -> None:
         self._gains.refresh()
-        if self._push is not None:
-            self._push.refresh()
+        for panel in self._panels:
+            panel.refresh()
         text = f"**{self._session.status}** · {self.frames_per_second:.0f} frames/s"
         if isinstance(self._session, Simulation):
             text += (

@@ -36,6 +36,10 @@ class PushScore:
         self._trace.clear()
         self._ticks_left = self._ticks
 
+    def stop(self) -> None:
+        """End the present recording without a cost."""
+        self._ticks_left = 0
+
     def record(self) -> None:
         """Record a control period; call after each tick."""
         if self._ticks_left == 0:

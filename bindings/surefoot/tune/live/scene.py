@@ -11,10 +11,11 @@ from surefoot.robot.description import RobotDescription
 from surefoot.robot.loading import build_robot
 from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.settings import PlantSettings
-from surefoot.tune.live.ground_and_payload import GroundAndPayload
+from surefoot.tune.live.ground_and_payload import GRID_SECTION, GroundAndPayload
 from surefoot.tune.live.robot_mesh import body_meshes
 from surefoot.tune.live.scene_state import SceneState
 from surefoot.tune.live.support_polygon import SupportPolygon
+from surefoot.tune.live.treadmill import Treadmill
 
 FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
 # [m], [quaternion component] Smallest change that is sent. Chosen: less than a pixel.
@@ -45,6 +46,7 @@ class Scene:
         self._frames = self._add_robot()
         self._ground_and_payload = GroundAndPayload(server, self._base_name, self._size)
         self._support_polygon = SupportPolygon(server, self._size)
+        self._treadmill = Treadmill(0.5 * self._size, GRID_SECTION)
         self._arrows: viser.ArrowsHandle | None = None
         self._ambient_light = server.scene.add_light_ambient(
             "/lamp", intensity=_AMBIENT_INTENSITY, visible=False
@@ -52,7 +54,11 @@ class Scene:
         self._aim_camera()
 
     def show(self, scene_state: SceneState) -> None:
-        """Draw a state; send only those poses that changed visibly."""
+        """Draw a state; send only those poses that changed visibly.
+
+        The view follows the robot.
+        """
+        scene_state = self._treadmill.follow(scene_state)
         self._data.qpos[:] = scene_state.qpos
         mujoco.mj_kinematics(self._model, self._data)
         with self._server.atomic():
@@ -62,7 +68,8 @@ class Scene:
                     frame.position = position
                 if np.abs(wxyz - frame.wxyz).max() > _MIN_ROTATION:
                     frame.wxyz = wxyz
-            self._ground_and_payload.show(scene_state)
+            ground_position = self._treadmill.ground_position(scene_state.ground)
+            self._ground_and_payload.show(scene_state, ground_position)
             self._support_polygon.show(scene_state)
             self._show_forces(scene_state)
 

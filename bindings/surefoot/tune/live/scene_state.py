@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -35,3 +35,15 @@ class SceneState:
     fell: bool = False
     payload_kg: float = 0.0
     push: tuple[Array, Array] | None = None
+
+    def moved(self, offset: Array) -> SceneState:
+        """Return the state with all positions moved by an offset (3,) [m]."""
+        qpos = self.qpos.copy()
+        qpos[:3] += offset
+        return replace(
+            self,
+            qpos=qpos,
+            contact_points=self.contact_points + offset,
+            com=self.com + offset,
+            push=None if self.push is None else (self.push[0], self.push[1] + offset),
+        )

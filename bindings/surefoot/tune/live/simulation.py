@@ -1,4 +1,4 @@
-"""Session on a simulated robot, whose gains, world and reference can change while it stands."""
+"""Session on a simulated robot that stands or walks while its gains, world and commands change."""
 
 from __future__ import annotations
 
@@ -6,7 +6,16 @@ from time import thread_time
 
 import numpy as np
 
-from surefoot._core import ControllerOptions, Gains, LowState, StandController, is_usable
+from surefoot._core import (
+    ControllerOptions,
+    Gains,
+    Gait,
+    LowState,
+    WalkController,
+    WalkOptions,
+    WalkVelocity,
+    is_usable,
+)
 from surefoot.geometry.rotations import Array
 from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, Push
@@ -16,6 +25,7 @@ from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.metric_curves import Curves, TickMetrics
 from surefoot.tune.live.push_score import PushScore
 from surefoot.tune.live.scene_state import SceneState
+from surefoot.tune.live.walk_figures import WalkFigures
 from surefoot.tune.live.world import World
 
 PUSH_DURATION = 0.1  # [s] duration of a push from the page, as in `surefoot assess`
@@ -33,7 +43,11 @@ class Simulation:
         world: The present world.
         requested_world: World that apply_requested_world() will use; any thread may set it.
         controller: The controller; read-only for callers.
+        attended: Whether someone watches the robot; any thread may set it. While it is False, the
+            controller receives no velocity, so WalkOptions.velocity_timeout stops the robot.
+        velocity_version: Number of restarts, each of which sets the velocity to 0.
         score: Recorder of the last push and its cost.
+        walk_figures: Figures of the present walk.
         plant: The plant; read-only for callers.
         ticks: Number of control periods since construction; a reset does not clear it.
 
@@ -47,6 +61,8 @@ class Simulation:
         self.description, self.world = description, world or World()
         self.requested_world = self.world
         self._reference: dict[str, float] = {}
+        self._velocity, self._gait = WalkVelocity(), Gait.AUTO
+        self.attended, self.velocity_version = True, 0
         self.gain_limiter: GainLimiter | None = None
         self.curves = Curves()
         self.ticks = 0
@@ -57,6 +73,7 @@ class Simulation:
         # _start_stand() sets these attributes for each new standing run.
         self.plant: Plant
         self.score: PushScore
+        self.walk_figures: WalkFigures
         self._state: LowState
         self._gains_version: int
         self._tau_max: Array
@@ -69,7 +86,18 @@ class Simulation:
             return "fallen: press Reset"
         reach = self.controller.reach
         limit = "" if reach.limit.name == "NONE" else f", reach limited: {reach.limit.name.lower()}"
-        return f"{self.controller.status.name.lower()}{limit}"
+        walking = ", walking" if self.controller.walking else ""
+        return f"{self.controller.status.name.lower()}{walking}{limit}"
+
+    @property
+    def velocity_range(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Lowest and highest vx, vy [m/s] and yaw rate [rad/s] of the robot's own gains."""
+        probe, limits = WalkController(self.robot), []
+        for sign in (-1.0, 1.0):
+            probe.set_velocity(WalkVelocity(sign * 1e3, sign * 1e3, sign * 1e3))
+            v = probe.commanded_velocity
+            limits.append((v.vx, v.vy, v.yaw_rate))
+        return limits[0], limits[1]
 
     @property
     def healthy(self) -> bool:
@@ -81,11 +109,14 @@ class Simulation:
         if self.editor.gains_version != self._gains_version:
             self._gains_version = self.editor.gains_version
             self.controller.set_gains(self.editor.gains)
+        if self.attended:
+            self.controller.set_velocity(self._velocity)  # in every tick: a velocity times out
         start = thread_time()  # CPU time of this thread, without waiting for other threads
         command = self.controller.update(self._state)
         elapsed = 1e6 * (thread_time() - start)
         self._state = self.plant.step(command)
         self.score.record()
+        self.walk_figures.record()
         self.ticks += 1
         ratio = torque_ratio(self.plant.motors.torque, self._tau_max)
         metrics = TickMetrics(
@@ -117,13 +148,28 @@ class Simulation:
             degrees: Direction of the push [deg]; 0: forward, 90: to the left.
             percent: Impulse in percent of the LIP push limit in that direction.
 
+        The cost of a push is recorded only while the robot stands.
+
         Returns:
             The impulse [N.s].
         """
         impulse = percent / 100.0 * self.plant.lip_push_limit(degrees, PUSH_DURATION)
         self.plant.add_push(Push(degrees, impulse, PUSH_DURATION, self.plant.time))
-        self.score.begin()
+        if self.controller.walking:
+            self.score.stop()
+        else:
+            self.score.begin()
         return impulse
+
+    def set_velocity(self, velocity: WalkVelocity) -> None:
+        """Command a velocity; the robot walks until it is 0 or `attended` is False."""
+        self._velocity = velocity
+        if velocity != WalkVelocity():
+            self.score.stop()  # the cost of a push is that of a stand
+
+    def set_gait(self, gait: Gait) -> None:
+        """Set the gait."""
+        self._gait = self.controller.gait = gait
 
     def set_reference(self, values: dict[str, float]) -> None:
         """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""
@@ -131,7 +177,7 @@ class Simulation:
         self.controller.set_body_reference(body_reference(values))
 
     def reset(self) -> None:
-        """Restart the standing robot in the present world, with the present gains and reference."""
+        """Restart the robot at velocity 0, with the present world, gains, reference and gait."""
         self.set_world(self.world)
 
     def set_world(self, world: World) -> None:
@@ -153,11 +199,15 @@ class Simulation:
 
     def _start_stand(self, plant: Plant, state: LowState) -> None:
         options = ControllerOptions(delay=self.world.predicted_ms / 1000.0)
-        self.controller = StandController(plant.robot, self.editor.gains, options)
+        self.controller = WalkController(plant.robot, self.editor.gains, WalkOptions(options))
+        self.controller.gait = self._gait
+        self._velocity = WalkVelocity()
+        self.velocity_version += 1
         self.controller.set_body_reference(body_reference(self._reference))
         self.plant = plant
         self._state = state
         self._gains_version = self.editor.gains_version
         self._tau_max = np.array(plant.robot.config.tau_max)
         self.score = PushScore(plant)
+        self.walk_figures = WalkFigures(plant, self.controller)
         self.update_view()

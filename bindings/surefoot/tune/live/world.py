@@ -26,6 +26,8 @@ class World:
         foot_force: "est" (footForceEst and footForce work), "raw" (only footForce), "dead" (both
             zero) or "robot" ("est" or "dead", as the robot's TOML states).
         slope_deg: Slope of the ground, uphill forward [deg].
+        walking_errors: Whether the plant has the sensor errors and soft soles of a walk, as in
+            `surefoot walk`; sensor errors only with real sensors.
         seed: Seed of the errors of sensors and motors.
     """
 
@@ -36,12 +38,16 @@ class World:
     sensors: str = "real"
     foot_force: str = "robot"
     slope_deg: float = 0.0
+    walking_errors: bool = True
     seed: int = 1
 
     def plant_settings(self) -> PlantSettings:
         """Return the plant settings of this world; raise Error if a value is out of its range."""
         return PlantSettings(
             sensors=self.sensors,
+            walking_sensors=self.walking_errors,
+            soft_soles=self.walking_errors,
+            leg_collisions=True,
             foot_force=None if self.foot_force == "robot" else self.foot_force,
             friction=self.friction,
             payload_kg=self.payload_kg,

@@ -42,6 +42,8 @@ def add_world_panel(
     foot_force = gui.add_dropdown(
         "foot force", _FOOT_FORCE, initial_value=world.foot_force, hint=hint
     )
+    hint = "vibration, clipping and lag of the sensors, and soft soles, as in surefoot walk"
+    walking = gui.add_checkbox("errors of a walk", world.walking_errors, hint=hint)
     seed = gui.add_number("seed", world.seed, min=0, step=1, hint="seed of sensor and motor errors")
     gui.add_markdown("_A change restarts the robot with the same gains._")
 
@@ -54,10 +56,11 @@ def add_world_panel(
             sensors=sensors.value,
             foot_force=foot_force.value,
             slope_deg=float(slope.value),
+            walking_errors=bool(walking.value),
             seed=int(seed.value),
         )
         simulation.requested_world = world_settings
         post(simulation.apply_requested_world)
 
-    for handle in (friction, payload, delay, predicted, slope, sensors, foot_force, seed):
+    for handle in (friction, payload, delay, predicted, slope, sensors, foot_force, walking, seed):
         handle.on_update(change)

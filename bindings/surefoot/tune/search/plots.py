@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -19,7 +20,7 @@ from surefoot.reports.plots import (
 )
 from surefoot.stand.foot_frame import pose_from_feet, rotation_angle
 from surefoot.tune.search.run import SearchResult
-from surefoot.tune.trace import Trace
+from surefoot.tune.search.walk_plot import draw_walk
 
 
 @dataclass(frozen=True)
@@ -28,11 +29,12 @@ class PlotData:
 
     Attributes:
         result: Result of the search.
-        traces: Traces of the first held-out episode, by name of the gains: start, own and best.
+        records: Records of the first held-out episode, by name of the gains: start, own and best;
+            each is a Trace of a stand or a WalkLog.
     """
 
     result: SearchResult
-    traces: dict[str, Trace]
+    records: dict[str, Any]
 
 
 COLOURS = {"start": RED, "own": GREY, "best": BLUE}
@@ -70,7 +72,7 @@ def draw_before_after(data: PlotData) -> Figure:
     """Draw one episode with the start gains, the robot's own gains and the best gains."""
     figure, axes = subplot_grid(3, 1, 6.0)
     end = 0.0
-    for name, trace in data.traces.items():
+    for name, trace in data.records.items():
         time = trace.column("time")
         q = trace.column("base")[:, [0, 1, 2, 4, 5, 6, 3]]
         pose = pose_from_feet(q, np.moveaxis(trace.column("feet"), 1, 2))
@@ -126,6 +128,13 @@ BEFORE_AFTER = Plot(
     "One held-out episode, with the same robot, ground and pushes for all gains.",
     draw_before_after,
 )
+WALK_BEFORE_AFTER: Plot[PlotData] = Plot(
+    "before_after.png",
+    "Before and after",
+    "One held-out walk, with the same robot, ground, commands and pushes for all gains; the "
+    "command is black.",
+    lambda data: draw_walk(data.records, COLOURS),
+)
 FRONT = Plot(
     "front.png",
     "Pareto front",
@@ -136,7 +145,7 @@ FRONT = Plot(
 
 def search_plots(result: SearchResult) -> list[Plot[PlotData]]:
     """Return the plots for which the search has data."""
-    plots = [BEFORE_AFTER, HISTORY]
+    plots = [WALK_BEFORE_AFTER if result.settings.walk else BEFORE_AFTER, HISTORY]
     if result.importance:
         plots.append(IMPORTANCE)
     if result.front:

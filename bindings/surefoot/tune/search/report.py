@@ -17,10 +17,8 @@ from surefoot.sim import Plant
 from surefoot.sim.render import Renderer
 from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.plots import PlotData, search_plots
-from surefoot.tune.search.rollout import simulate_episode
 from surefoot.tune.search.run import SearchResult
 from surefoot.tune.search.summary import gains_provenance, summary_text, term_lines
-from surefoot.tune.trace import Trace
 
 GAINS = "gains.toml"
 # Chosen: several films on a page; 12 frames a second, to keep the file small.
@@ -43,32 +41,32 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
     name = summary["robot"] if isinstance(summary["robot"], str) else None
     save_gains(folder / GAINS, result.best.gains, name, gains_provenance(summary, command))
     episode = result.settings.held_out_episodes[0]
-    traces, films, film_errors = {}, [], []
+    records, films, film_errors = {}, [], []
     for who, candidate in (("start", result.start), ("own", result.own), ("best", result.best)):
         filmed = folder / f"{who}.webp" if who != "own" else None
-        traces[who], film_error = _record_episode(episode, candidate.gains, filmed)
+        records[who], film_error = _record_episode(episode, candidate.gains, filmed)
         if filmed is not None and film_error is None:
             films.append((who, filmed.name))
         elif film_error is not None:
             film_errors.append(f"No film of {who}: {film_error}")
-    draw_plots(search_plots(result), PlotData(result, traces), folder)
+    draw_plots(search_plots(result), PlotData(result, records), folder)
     page = folder / "index.html"
     page.write_text(_page(result, summary, command, films, film_errors), encoding="utf-8")
     return page
 
 
-def _record_episode(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str | None]:
+def _record_episode(episode: Episode, gains: Gains, film: Path | None) -> tuple[Any, str | None]:
     """Run an episode and film it if `film` is given.
 
-    Return the trace of the episode, and the error text of the film; None: no error.
+    Return the record of the episode, and the error text of the film; None: no error.
     """
     plant = episode.plant()
     if film is None:
-        return simulate_episode(plant, gains), None
+        return episode.simulate(plant, gains), None
     camera = _Camera(plant)
-    trace = simulate_episode(plant, gains, camera.on_tick)
+    record = episode.simulate(plant, gains, camera.on_tick)
     camera.write(film)
-    return trace, camera.film_error
+    return record, camera.film_error
 
 
 class _Camera:
@@ -123,7 +121,7 @@ def _page(
         f'<div class="tile"><img src="{file}" alt="{who}" width="{WIDTH}"><span>{who}</span></div>'
         for who, file in films
     )
-    terms = "".join(f"<p><code>{escape(line)}</code></p>" for line in term_lines(result.best))
+    terms = "".join(f"<p><code>{escape(line)}</code></p>" for line in term_lines(result))
     body = f"""<h1>Search for gains: {escape(str(summary["robot"]))}</h1>
 <pre>{escape(command)}</pre>
 <pre>{escape(summary_text(summary))}</pre>

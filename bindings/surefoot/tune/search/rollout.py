@@ -5,15 +5,13 @@ from __future__ import annotations
 import functools
 import threading
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Gains, StandController
+from surefoot._core import Error, Gains
 from surefoot.robot.gain_files import gains_from_values
 from surefoot.sim import Plant
-from surefoot.tune.cost import FALL_COST, Cost, cost
-from surefoot.tune.search.episodes import EPISODE_TIME, Episode
-from surefoot.tune.trace import Trace
+from surefoot.tune.cost import FALL_COST, Cost
+from surefoot.tune.search.episodes import Episode
 
 # Derived: above the greatest cost of a fall, 3 FALL_COST.
 BROKEN_COST = 4.0 * FALL_COST  # cost of gains that cannot be run
@@ -26,7 +24,7 @@ class TrialJob:
     Attributes:
         gains: All gains, by name.
         episodes: Episodes to run.
-        objectives: One or two of cost.OBJECTIVES.
+        objectives: One or two objectives of the episodes.
         stop_cost: Limit of the mean cost over all episodes, for the first objective. When this mean
             must exceed the limit, the remaining episodes are skipped.
     """
@@ -104,41 +102,12 @@ def run_episode(
 ) -> list[Cost]:
     """Run one episode, add its counts to `outcome`, and return its cost per objective."""
     plant = cached_plant(episode)
-    period, ticks = 1.0 / plant.settings.control_rate, episode_ticks(plant)
-    trace = simulate_episode(plant, gains)
-    outcome.ticks += len(trace)
-    outcome.steps += len(trace) * plant.settings.steps_per_tick
-    outcome.simulated_time += len(trace) * period
-    outcome.falls += trace.fell
-    return [cost(trace, objective, ticks) for objective in objectives]
-
-
-def simulate_episode(
-    plant: Plant, gains: Gains, on_tick: Callable[[int], None] | None = None
-) -> Trace:
-    """Run an episode on its plant and return the trace. Without `on_tick`, a fall ends the episode.
-
-    Args:
-        plant: Result of Episode.plant(). The function resets the plant first.
-        gains: Gains of the controller.
-        on_tick: Called after each tick with its number, also after a fall.
-    """
-    trace = Trace(plant, episode_ticks(plant))
-    controller = StandController(plant.robot, gains)
-    state = plant.reset()
-    for k in range(episode_ticks(plant)):
-        state = plant.step(controller.update(state))
-        trace.record()
-        if on_tick is not None:
-            on_tick(k)
-        elif trace.fell:
-            break
-    return trace
-
-
-def episode_ticks(plant: Plant) -> int:
-    """Return the number of ticks of an episode on its plant."""
-    return round(EPISODE_TIME * plant.settings.control_rate)
+    record = episode.simulate(plant, gains)
+    outcome.ticks += len(record)
+    outcome.steps += len(record) * plant.settings.steps_per_tick
+    outcome.simulated_time += len(record) / plant.settings.control_rate
+    outcome.falls += record.fell
+    return [episode.cost(record, objective) for objective in objectives]
 
 
 @functools.lru_cache(maxsize=64)

@@ -9,9 +9,18 @@ from surefoot._core import Error, Gains
 from surefoot.robot.gain_files import gain_values
 from surefoot.robot.setting_checks import check_integer
 from surefoot.sim import PlantSettings
-from surefoot.tune.cost import objective_weights
+from surefoot.tune.cost import OBJECTIVES, objective_weights
 from surefoot.tune.search.episodes import FINAL_SEED, HELD_OUT_SEED, Episode
-from surefoot.tune.search.space import Parameter, default_space, include_start, task_gains
+from surefoot.tune.search.space import (
+    Parameter,
+    default_space,
+    include_start,
+    task_gains,
+    walk_space,
+)
+from surefoot.tune.search.stand_episode import StandEpisode
+from surefoot.tune.search.walk_episode import WalkEpisode
+from surefoot.tune.walk_cost import WALK_OBJECTIVES
 
 SAMPLERS = ("cmaes", "tpe", "nsga2", "random")
 # Chosen: more than the cores of a machine; a typing error must not start thousands.
@@ -28,8 +37,10 @@ class SearchSettings:
         trials: Total number of trials at the end, including the trials in the store.
         jobs: Number of processes.
         cluster: Address of a Dask scheduler. None: local processes run the trials.
-        objectives: One name in cost.OBJECTIVES, or two names for a Pareto front.
-        space: Parameters that the search varies.
+        walk: Whether the episodes are walks; otherwise they are stands.
+        objectives: One name in cost.OBJECTIVES or walk_cost.WALK_OBJECTIVES, or two names for a
+            Pareto front. Empty: the first one.
+        space: Parameters that the search varies. Empty: default_space() or walk_space().
         episodes: Number of episodes on which each trial is evaluated.
         held_out: Number of episodes with other seeds, on which the result is evaluated.
         sampler: One of SAMPLERS. None: cmaes for one objective, nsga2 for two.
@@ -43,8 +54,9 @@ class SearchSettings:
     trials: int = 200
     jobs: int = 1
     cluster: str | None = None
-    objectives: tuple[str, ...] = ("balance",)
-    space: tuple[Parameter, ...] = field(default_factory=lambda: tuple(default_space()))
+    walk: bool = False
+    objectives: tuple[str, ...] = ()
+    space: tuple[Parameter, ...] = ()
     episodes: int = 6
     held_out: int = 10
     sampler: str | None = None
@@ -53,8 +65,14 @@ class SearchSettings:
     store: str | None = None
 
     def __post_init__(self) -> None:
+        valid = WALK_OBJECTIVES if self.walk else OBJECTIVES
+        if not self.objectives:
+            object.__setattr__(self, "objectives", (next(iter(valid)),))
+        if not self.space:
+            space = walk_space() if self.walk else default_space()
+            object.__setattr__(self, "space", tuple(space))
         for objective in self.objectives:
-            objective_weights(objective)
+            objective_weights(objective, valid)
         if len(set(self.objectives)) != len(self.objectives) or len(self.objectives) not in (1, 2):
             got = ",".join(self.objectives)
             raise Error(f"objective: got '{got}', expected one, or two that differ")
@@ -81,25 +99,28 @@ class SearchSettings:
     @property
     def search_episodes(self) -> tuple[Episode, ...]:
         """Episodes on which each trial is evaluated."""
-        return tuple(Episode(self.robot, self.seed + k, self.plant) for k in range(self.episodes))
+        return self._episodes(self.seed, self.episodes)
 
     @property
     def final_episodes(self) -> tuple[Episode, ...]:
         """Episodes that choose between the best trials."""
-        first = FINAL_SEED + self.seed
-        return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.episodes))
+        return self._episodes(FINAL_SEED + self.seed, self.episodes)
 
     @property
     def held_out_episodes(self) -> tuple[Episode, ...]:
         """Episodes that only evaluate the result."""
-        first = HELD_OUT_SEED + self.seed
-        return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.held_out))
+        return self._episodes(HELD_OUT_SEED + self.seed, self.held_out)
+
+    def _episodes(self, first_seed: int, count: int) -> tuple[Episode, ...]:
+        kind = WalkEpisode if self.walk else StandEpisode
+        return tuple(kind(self.robot, first_seed + k, self.plant) for k in range(count))
 
     def identity(self) -> dict[str, Any]:
         """Return the settings that must be equal for a search to resume, as JSON values."""
         return {
             "robot": self.robot if isinstance(self.robot, str) else list(self.robot),
             "start": gain_values(self.start),
+            "walk": self.walk,
             "objectives": list(self.objectives),
             "space": [[p.name, p.low, p.high] for p in self.space],
             "episodes": self.episodes,

@@ -88,6 +88,26 @@ def default_space() -> list[Parameter]:
     return space
 
 
+# Gains of a walk that shape gait and swing. Limits of speed and acceleration are not among them:
+# they say what the robot should do. Chosen ranges: outside them a trot falls or its feet drag.
+_WALK_RANGES = {
+    "gait_period": (1.6, 3.2),
+    "gait_duty": (0.45, 0.65),
+    "gait_stance_travel": (0.5, 1.3),
+    "gait_swing_speed": (0.6, 1.6),
+    "foothold_feedback": (0.4, 1.1),
+    "swing_height": (0.08, 0.3),
+    "swing_landing_speed": (0.05, 0.35),
+    "walk_joint_limit_rate": (40.0, 200.0),
+}
+
+
+def walk_space() -> list[Parameter]:
+    """Return the gains of a walk that shape gait and swing as parameters."""
+    units = {info.name: info.unit for info in gain_table()}
+    return [Parameter(name, *span, units[name]) for name, span in _WALK_RANGES.items()]
+
+
 def parse_parameter(text: str) -> Parameter:
     """Parse NAME or NAME=LOW:HIGH. NAME is a task's frequency or damping, or a gain.
 
@@ -96,9 +116,12 @@ def parse_parameter(text: str) -> Parameter:
     """
     name, _, span = text.partition("=")
     known = {parameter.name: parameter for parameter in default_space()}
+    suggested = {parameter.name: parameter for parameter in walk_space()}
     infos = {info.name: info for info in gain_table()}
     if name in known:
         low, high, unit = known[name].low, known[name].high, known[name].unit
+    elif name in suggested:
+        low, high, unit = suggested[name].low, suggested[name].high, suggested[name].unit
     elif name in infos:
         info = infos[name]
         default = info.default or info.maximum

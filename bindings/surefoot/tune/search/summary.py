@@ -9,8 +9,9 @@ from optuna.trial import FrozenTrial
 from surefoot.files.json_values import json_value
 from surefoot.robot.gain_files import changed_gains, gain_values
 from surefoot.tune.cost import TERMS
-from surefoot.tune.search.run import Candidate, SearchResult
+from surefoot.tune.search.run import SearchResult
 from surefoot.tune.search.space import apply_parameters
+from surefoot.tune.walk_cost import WALK_TERMS
 
 
 def summarise(result: SearchResult) -> dict[str, Any]:
@@ -19,6 +20,7 @@ def summarise(result: SearchResult) -> dict[str, Any]:
     two = len(settings.objectives) == 2
     summary = {
         "robot": settings.robot if isinstance(settings.robot, str) else list(settings.robot),
+        "walk": settings.walk,
         "objective": list(settings.objectives),
         "trials": len(trials),
         "failures": sum(1 for trial in trials if _failed(trial)),
@@ -79,10 +81,11 @@ def gains_provenance(s: dict[str, Any], command: str) -> str:
     )
 
 
-def term_lines(candidate: Candidate) -> list[str]:
-    """Return the cost terms of a candidate on held-out seeds, one per line."""
-    terms = candidate.held_out.terms
-    return [f"{name} {terms[name]:.2f}: {text}" for name, text in TERMS.items() if name in terms]
+def term_lines(result: SearchResult) -> list[str]:
+    """Return the cost terms of the best gains on held-out seeds, one per line."""
+    terms = result.best.held_out.terms
+    definitions = WALK_TERMS if result.settings.walk else TERMS
+    return [f"{name} {terms[name]:.2f}: {text}" for name, text in definitions.items()]
 
 
 def _failed(trial: FrozenTrial) -> bool:

@@ -14,6 +14,10 @@ constexpr double kFilterTime = 0.01;
 // [s] Time after touchdown for which a moving foot does not count as slipping. Longer than
 // contact_dwell, 10 ms. If larger: the robot relies for longer on the friction of a slipping foot.
 constexpr double kSettlingTime = 0.03;
+// [s] The same while feet step: a soft sole still slides for 20 to 50 ms, while its load grows.
+constexpr double kSteppingSettlingTime = 0.06;
+// [s] Time after the last step for which soles still sink, so that the rules of stepping hold.
+constexpr double kAfterSteps = 0.3;
 // [s] Duration of slipping that raises slip() from 0 to 1. Longer than single samples. If larger: a
 // foot slips further; at slip_speed it moves by 3 mm in this time.
 constexpr double kDetectionTime = 0.02;
@@ -24,31 +28,49 @@ constexpr double kRecoveryTime = 0.5;
 // Contact confidence above which a foot counts as loaded. Chosen: half-way between off the ground
 // and loaded.
 constexpr double kLoadedConfidence = 0.5;
+// [m g] Load below which a foot of a stepping robot has no friction to lose. Chosen: a fifth of the
+// load of a trotting foot, above the error of the forces from the motor torques.
+constexpr double kMinLoad = 0.1;
 }  // namespace
 
-void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
-                          const Eigen::Vector4d& contact, bool stepping, double dt) noexcept {
+void SlipDetector::update(const Gains& gains, const FootSlipInput& input, double dt) noexcept {
+  time_since_steps_ = input.stepping ? 0.0 : time_since_steps_ + dt;
+  const bool soles_move = time_since_steps_ < kAfterSteps;
+  const double settling_time = soles_move ? kSteppingSettlingTime : kSettlingTime;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const bool loaded = contact[leg] > kLoadedConfidence;
+    const Vector3 v = input.v_contact.col(leg);
+    const bool in_contact = input.contact[leg] > kLoadedConfidence;
     // The low-pass restarts at touchdown, because the velocity of the swing must not count as slip.
-    if (loaded && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v_contact.col(leg);
-    v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
-    if (stepping && !loaded) slip_[leg] = 0.0;
-    stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;
-  }
-  double min_loaded_speed = std::numeric_limits<double>::infinity();
-  for (int leg = 0; leg < kLegs; ++leg) {
+    if (in_contact && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v;
+    v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v - v_filtered_.col(leg));
+    if (input.stepping && !in_contact) slip_[leg] = 0.0;
+    stance_time_[leg] = in_contact ? stance_time_[leg] + dt : 0.0;
     speed_[leg] = v_filtered_.col(leg).norm();
-    if (contact[leg] > kLoadedConfidence)
-      min_loaded_speed = std::min(min_loaded_speed, speed_[leg]);
   }
+  excess_speed_ = excess(speed_, input);
+  const Eigen::Vector4d excess_slip =
+      soles_move ? excess(sliding_speed(input), input) : excess_speed_;
   for (int leg = 0; leg < kLegs; ++leg) {
-    excess_speed_[leg] = std::max(speed_[leg] - min_loaded_speed, 0.0);
+    const bool loaded = !soles_move || input.loads[leg] > kMinLoad;
     const bool is_slipping =
-        stance_time_[leg] > kSettlingTime && excess_speed_[leg] > gains.slip_speed;
+        loaded && stance_time_[leg] > settling_time && excess_slip[leg] > gains.slip_speed;
     const double step = is_slipping ? dt / kDetectionTime : -dt / kRecoveryTime;
     slip_[leg] = std::clamp(slip_[leg] + step, 0.0, 1.0);
   }
+}
+
+Eigen::Vector4d SlipDetector::sliding_speed(const FootSlipInput& input) const noexcept {
+  const FeetMatrix v = v_filtered_ - input.normal * (input.normal.transpose() * v_filtered_);
+  return v.colwise().norm();
+}
+
+Eigen::Vector4d SlipDetector::excess(const Eigen::Vector4d& speed,
+                                     const FootSlipInput& input) const noexcept {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (input.contact[leg] > kLoadedConfidence) slowest = std::min(slowest, speed[leg]);
+  }
+  return (speed.array() - slowest).cwiseMax(0.0);
 }
 
 }  // namespace surefoot

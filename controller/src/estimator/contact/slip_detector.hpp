@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "surefoot/gains.hpp"
 #include "surefoot/math.hpp"
 
 namespace surefoot {
+
+/// Motion of the feet of which SlipDetector::update() judges a slip.
+struct FootSlipInput {
+  const FeetMatrix& v_contact;     ///< velocities of the contact points, world axes [m/s]
+  const Eigen::Vector4d& contact;  ///< contact confidence per foot, 0 .. 1
+  const Eigen::Vector4d& loads;    ///< normal force of each foot / weight
+  const Vector3& normal;           ///< of the ground, world axes
+  /// true: feet step. Soft soles sink and rise when their load changes, so only velocities along
+  /// the ground count. A foot that lifts off moves before its contact confidence falls, so a foot
+  /// counts only while it has load. Its slip confidence becomes 0 when it lifts off. All this also
+  /// holds for 0.3 s after the last step.
+  bool stepping;
+};
 
 /// Detects loaded feet that move along the ground.
 ///
@@ -13,11 +28,7 @@ namespace surefoot {
 class SlipDetector {
  public:
   /// Process one tick.
-  /// @param v_contact velocities of the contact points, world axes [m/s]
-  /// @param contact contact confidence per foot, 0 .. 1
-  /// @param stepping true: the slip confidence becomes 0 when a foot lifts off
-  void update(const Gains& gains, const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
-              bool stepping, double dt) noexcept;
+  void update(const Gains& gains, const FootSlipInput& input, double dt) noexcept;
 
   /// Slip confidence of each foot, 0 .. 1.
   const Eigen::Vector4d& slip() const noexcept { return slip_; }
@@ -36,10 +47,16 @@ class SlipDetector {
   void reset() noexcept { *this = SlipDetector(); }
 
  private:
+  /// Return the speeds of the contact points along the ground [m/s].
+  Eigen::Vector4d sliding_speed(const FootSlipInput& input) const noexcept;
+  /// Return each speed minus that of the slowest loaded foot, at least 0; 0 if no foot is loaded.
+  Eigen::Vector4d excess(const Eigen::Vector4d& speed, const FootSlipInput& input) const noexcept;
+
   FeetMatrix v_filtered_ = FeetMatrix::Zero();
   Eigen::Vector4d speed_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d excess_speed_ = Eigen::Vector4d::Zero();
-  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();  // [s] time since touchdown
+  double time_since_steps_ = std::numeric_limits<double>::infinity();  // [s]
+  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();              // [s] time since touchdown
   Eigen::Vector4d slip_ = Eigen::Vector4d::Zero();
 };
 

@@ -11,7 +11,10 @@ constexpr double kGyroscopeTime = 0.05;  // [1 s] the estimator uses rates from 
 constexpr double kSensorTime = 0.02;     // [0.1 s and more] accelerometer, quaternion
 constexpr double kSlipTime = 0.02;       // [0.1 s] longer than single wrong ticks
 constexpr double kLiftedTime = 0.05;     // [0.1 s] longer than impacts that unload all feet
-constexpr double kPayloadTime = 1.0;     // [2 s] longer than pushes (0.5 s in the full scorecard)
+// [0.25 s] While feet step: longer than the flight of a fast trot, 80 ms at h = 0.3 m, and that of
+// a robot which falls off a step. The same as kAirborneTime of WalkPlanner.
+constexpr double kSteppingLiftedTime = 0.2;
+constexpr double kPayloadTime = 1.0;  // [2 s] longer than pushes (0.5 s in the full scorecard)
 // EstimatorReport::slip (0 .. 1) above which a foot slips. Chosen.
 constexpr double kMinSlip = 0.5;
 
@@ -36,15 +39,16 @@ bool is_foot_force_bad(const EstimatorReport& report) noexcept {
 
 }  // namespace
 
-void EstimatorFaults::update(const EstimatorReport& report, const RobotState& state, double dt,
-                             FaultLog& log) noexcept {
+void EstimatorFaults::update(const EstimatorReport& report, const RobotState& state, bool stepping,
+                             double dt, FaultLog& log) noexcept {
   gyroscope_bad_ = gyroscope_.update(is_bad(report.gyroscope), dt, kGyroscopeTime);
   accelerometer_bad_ = accelerometer_.update(is_bad(report.accelerometer), dt, kSensorTime);
   quaternion_bad_ = quaternion_.update(is_bad(report.quaternion), dt, kSensorTime);
   overloaded_ = payload_.update(report.payload > payload_limit_, dt, kPayloadTime);
   log.set(FaultId::kFootForce, is_foot_force_bad(report));
   log.set(FaultId::kSlip, slip_.update(report.slip.maxCoeff() > kMinSlip, dt, kSlipTime));
-  log.set(FaultId::kLifted, lifted_.update(state.contact.maxCoeff() < 0.5, dt, kLiftedTime));
+  log.set(FaultId::kLifted, lifted_.update(state.contact.maxCoeff() < 0.5, dt,
+                                           stepping ? kSteppingLiftedTime : kLiftedTime));
   log.set(FaultId::kPayload, overloaded_);
 }
 

@@ -16,11 +16,12 @@ class EstimatorFaults {
   /// @param payload_limit [kg] a larger payload is a fault
   explicit EstimatorFaults(double payload_limit) : payload_limit_(payload_limit) {}
 
-  /// Evaluate the report of a standing robot's estimator.
+  /// Evaluate the report of the estimator of a robot that stands or walks.
+  /// @param stepping whether the feet step; then no foot may touch the ground during a flight
   /// @param dt [s] time since the last call
   /// @param log receives kFootForce, kSlip, kLifted and kPayload. It does not receive the faults of
   ///   the IMU, which the functions below return
-  void update(const EstimatorReport& report, const RobotState& state, double dt,
+  void update(const EstimatorReport& report, const RobotState& state, bool stepping, double dt,
               FaultLog& log) noexcept;
   /// Clear all findings; call this while no estimator runs.
   /// @param sitting true if the robot sits down: keep the faults that make it sit down (gyroscope,

@@ -69,9 +69,14 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "a foot force sensor is stuck, saturated or contradicts the other sensors; contact comes "
      "from those"},
     {FaultId::kSlip, kDegrade, 0.1, kClearsByItself,
-     "a stance foot slips; the controller assumes less friction"},
+     "a stance foot slips; the controller assumes less friction",
+     "the foot has slipped for 20 ms of one stance; a new stance begins without slip; the robot "
+     "walks on"},
     {FaultId::kLifted, kDegrade, 0.1, kClearsByItself,
-     "no foot is loaded; the controller holds the pose softly"},
+     "no foot is loaded; the controller holds the pose softly",
+     "no foot is loaded for 0.2 s, longer than a flight of the trot; the robot stops walking, and "
+     "stands on softly; the mode walk must be requested again",
+     0.25, true},
     {FaultId::kPayload, kSit, 2.0, kNeedsArm,
      "the payload is above the option payload_limit; the robot sits down and does not rise "
      "before arm()"},
@@ -86,7 +91,11 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kLegLost, kDegrade, 0.15, kNeedsArm,
      "motor_mode or motor_weak in one leg of a standing robot whose capture point is over the "
      "other three feet; the robot stands on those until arm(); if a second leg fails, the "
-     "motors damp"},
+     "motors damp",
+     "the robot puts its feet down within 0.3 s and stands on three; the mode walk is refused "
+     "until "
+     "arm()",
+     0.0, true},
     {FaultId::kOverridden, kDamp, 0.2, kNeedsArm,
      "torques in several legs do not follow their commands: another program, such as the "
      "sport mode, commands the robot too; the motors damp until arm(); stop the other program "
@@ -112,7 +121,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "PowerProtect rule); the motors damp until arm()"},
     {FaultId::kTorqueRate, kWatch, 0.010, kClearsByItself,
      "the StandController's torques have been rate-limited, to 9.5 % of their limits in 2 ms, "
-     "for 8 ms; no other reaction"},
+     "for 8 ms; no other reaction",
+     "they have been limited for 150 ms: each step limits them for a while", 0.152},
     {FaultId::kProgram, kWatch, 0.002, kClearsByItself,
      "the StandController's QP was not solved at the first attempt; a cold solve replaces it, "
      "or fallback commands for at most 10 ms"},
@@ -148,6 +158,13 @@ const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept { return kRows;
 FaultId FaultReport::first_active(FaultReaction reaction, FaultId except) const noexcept {
   for (const FaultInfo& info : kRows) {
     if (info.reaction == reaction && info.id != except && has(info.id)) return info.id;
+  }
+  return FaultId::kNone;
+}
+
+FaultId FaultReport::stops_walking() const noexcept {
+  for (const FaultInfo& info : kRows) {
+    if (info.stops_walking && has(info.id)) return info.id;
   }
   return FaultId::kNone;
 }

@@ -27,6 +27,9 @@ constexpr double kReacceptTime = 0.5;
 // [rad/s] Change of the gyroscope between two samples above which the gyroscope has jumped: an
 // offset of 2.5 rad/s passes, noise of up to 10 rad/s is a fault.
 constexpr double kMaxRateJump = 3.0;
+// [rad/s] The same while feet step: touchdowns make the gyroscope vibrate, and it then changes by
+// up to 3.8 rad/s (a1, go1, go2 and b1 at 1 m/s, 3 seeds).
+constexpr double kMaxSteppingRateJump = 6.0;
 // [s] Time for which a signal must be bad before it is a fault. Longer than 18 ms, for which an IMU
 // that is read at 50 Hz repeats its values.
 constexpr double kMinBadTime = 0.05;
@@ -45,11 +48,13 @@ constexpr double kRateErrorTime = 0.5;
 
 }  // namespace
 
-void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept {
+void ImuMonitor::update(const IMU& imu, double step, bool changed, ImuMotion motion) noexcept {
   const std::array<float, 4> q = imu.quaternion;  // the field is packed, so it is copied
   const std::array<float, 3> rates = imu.gyroscope;
   const Vector3 w(rates[0], rates[1], rates[2]);
-  rates_plausible_ = !started_ || (w - w_last_).norm() < kMaxRateJump;
+  rates_plausible_ =
+      !started_ ||
+      (w - w_last_).norm() < (motion == ImuMotion::kSteps ? kMaxSteppingRateJump : kMaxRateJump);
   const double angle = w.norm() * step;
   if (angle > 0.0)
     R_propagated_ = R_propagated_ * Quaternion(Eigen::AngleAxisd(angle, w.normalized()));
@@ -78,7 +83,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
     }
   }
   judge_rates(w, step, changed,
-              kMaxRateError + (may_turn_fast ? kScaleErrorShare * mean_rate_ : 0.0));
+              kMaxRateError + (motion != ImuMotion::kStands ? kScaleErrorShare * mean_rate_ : 0.0));
   const std::array<float, 3> a = imu.accelerometer;
   judge_accelerometer(Vector3(a[0], a[1], a[2]), step, changed);
 }

@@ -7,6 +7,13 @@
 
 namespace surefoot {
 
+/// How the body moves.
+enum class ImuMotion {
+  kStands,  ///< it turns only while a push lasts
+  kTurns,   ///< it may turn fast for longer, so the scale error of the gyroscope matters
+  kSteps    ///< it may turn fast, and touchdowns make the gyroscope vibrate
+};
+
 /// Compares the attitude that the IMU measures with the gyroscope, in every mode.
 ///
 /// The last accepted attitude is propagated with the gyroscope. A measured attitude that jumps away
@@ -19,11 +26,11 @@ class ImuMonitor {
   /// Check the IMU of a sample.
   /// @param step [s] time since the last update
   /// @param changed true if any IMU or joint value differs from the previous sample
-  /// @param may_turn_fast true if the body may turn fast for longer than a push lasts; the
-  ///   tolerance then also covers an error of the gyroscope's scale
-  void update(const IMU& imu, double step, bool changed, bool may_turn_fast) noexcept;
+  /// @param motion how the body moves
+  void update(const IMU& imu, double step, bool changed, ImuMotion motion) noexcept;
   /// Return whether the gyroscope of the last sample is usable. It is not usable if it has changed
-  /// by 3 rad/s or more since the previous sample; no body can change its rate so fast.
+  /// by 3 rad/s or more since the previous sample (kSteps: 6); no body can change its rate so
+  /// fast.
   bool rates_plausible() const noexcept { return rates_plausible_; }
   /// Return whether the attitude of the last sample is usable. It is not usable if the norm of the
   /// quaternion is not 1, or if the attitude has jumped away from the propagated attitude.

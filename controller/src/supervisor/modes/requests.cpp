@@ -3,18 +3,38 @@
 
 namespace surefoot {
 
+namespace {
+
+// Return whether a request may change the mode from `present` to `next`.
+bool follows(Mode present, Mode next) noexcept {
+  switch (next) {
+    case Mode::kRise:
+      return present == Mode::kPassive;
+    case Mode::kStand:
+      return present == Mode::kSit || present == Mode::kWalk;
+    case Mode::kWalk:
+      return present == Mode::kStand;
+    case Mode::kSit:
+      return present == Mode::kRise || present == Mode::kStand || present == Mode::kWalk;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
 RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept {
   if (!context.state_valid) return RequestStatus::kNoState;
   if (context.mode == Mode::kDamping) return RequestStatus::kLatched;
   if (!context.armed) return RequestStatus::kNotArmed;
   const bool lying = context.mode == Mode::kPassive;
-  const bool up = context.mode == Mode::kRise || context.mode == Mode::kStand;
-  const bool mode_allowed = (mode == Mode::kRise && lying) || (mode == Mode::kSit && up) ||
-                            (mode == Mode::kStand && context.mode == Mode::kSit);
-  if (!mode_allowed) return RequestStatus::kOutOfOrder;
-  if ((lying && !context.ready) || (mode != Mode::kSit && context.must_sit)) {
+  if (!follows(context.mode, mode)) return RequestStatus::kOutOfOrder;
+  if (mode == Mode::kWalk && !context.can_walk) return RequestStatus::kCannotWalk;
+  if ((lying && !context.ready) || (mode != Mode::kSit && context.must_sit) ||
+      (mode == Mode::kWalk && context.must_stand)) {
     return RequestStatus::kNotReady;
   }
+  if (mode == Mode::kWalk && context.stopping) return RequestStatus::kBusy;
   // A rise may be interrupted even during its fade, because TorqueFade can reverse a fade.
   const bool busy = context.fading && context.mode != Mode::kRise;
   return busy ? RequestStatus::kBusy : RequestStatus::kAccepted;
@@ -45,18 +65,26 @@ RequestStatus Requests::post(int request) noexcept {
   return posted ? RequestStatus::kAccepted : RequestStatus::kBusy;
 }
 
-// Bits: 0 .. 7 mode, 8 state_valid, 9 armed, 10 ready, 11 fading, 12 must_sit, 13 checks_waived.
+// Bits: 0 .. 7 mode, then the flags of the struct in their order.
 int Requests::pack(const RequestContext& context) noexcept {
   return static_cast<int>(context.mode) | context.state_valid << 8 | context.armed << 9 |
-         context.ready << 10 | context.fading << 11 | context.must_sit << 12 |
-         context.checks_waived << 13;
+         context.ready << 10 | context.must_sit << 11 | context.fading << 12 |
+         context.checks_waived << 13 | context.must_stand << 14 | context.can_walk << 15 |
+         context.stopping << 16;
 }
 
-// In the struct, must_sit (bit 12) comes before fading (bit 11).
 RequestContext Requests::unpack(int bits) noexcept {
-  return {static_cast<Mode>(bits & 0xFF), (bits >> 8 & 1) != 0,  (bits >> 9 & 1) != 0,
-          (bits >> 10 & 1) != 0,          (bits >> 12 & 1) != 0, (bits >> 11 & 1) != 0,
-          (bits >> 13 & 1) != 0};
+  const auto flag = [bits](int bit) { return (bits >> bit & 1) != 0; };
+  return {static_cast<Mode>(bits & 0xFF),
+          flag(8),
+          flag(9),
+          flag(10),
+          flag(11),
+          flag(12),
+          flag(13),
+          flag(14),
+          flag(15),
+          flag(16)};
 }
 
 }  // namespace surefoot

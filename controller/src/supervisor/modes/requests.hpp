@@ -17,6 +17,9 @@ struct RequestContext {
   bool must_sit = false;       ///< true if a fault or a lost leg forbids a rise
   bool fading = false;         ///< true if torques fade between modes
   bool checks_waived = false;  ///< true for Start::kStanding: arm() needs no checks
+  bool must_stand = false;     ///< true if a fault or a lost leg forbids walking
+  bool can_walk = true;        ///< WalkController::can_walk()
+  bool stopping = false;       ///< true if the feet step until the robot stands or sits down
 };
 
 /// Return whether `mode` may be entered now, or the reason why not. Real-time: yes.

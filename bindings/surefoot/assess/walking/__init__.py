@@ -1,0 +1,1 @@
+"""Walking scorecard of a quadruped: velocities, pushes while it walks, and conditions."""
