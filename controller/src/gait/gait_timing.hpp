@@ -2,21 +2,11 @@
 #pragma once
 
 #include "gait/gait_clock.hpp"
-#include "gait/gait_size.hpp"
-#include "gait/walk_order.hpp"
+#include "gait/step_pattern.hpp"
 #include "surefoot/gains.hpp"
 #include "surefoot/walk_velocity.hpp"
 
 namespace surefoot {
-
-/// Which feet step together, and in which order.
-struct StepPattern {
-  bool walk = false;                       ///< false: trot, diagonal pairs in turn
-  WalkOrder order = {RR_, FR_, RL_, FL_};  ///< of the walk; a trot ignores it
-  bool operator==(const StepPattern& other) const noexcept {
-    return walk == other.walk && (!walk || order == other.order);
-  }
-};
 
 /// Compute the times of a gait at a velocity. Real-time: yes.
 ///

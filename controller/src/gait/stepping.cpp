@@ -2,12 +2,11 @@
 #include "gait/stepping.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gait/foothold.hpp"
 #include "gait/step_timing.hpp"
+#include "gait/sway_input.hpp"
 #include "reference/capture_margin.hpp"
 
 namespace surefoot {
@@ -51,7 +50,7 @@ int leg_to_swing(const PlannerInput& input) noexcept {
 void Stepping::start(const PlannerInput& input, bool walk, const WalkVelocity& command,
                      double height_offset) noexcept {
   begin(input, height_offset);
-  pattern_ = suitable_pattern(input.gains, walk, command);
+  pattern_ = suitable_pattern(pattern_, input.gains, size_, walk, command);
   clock_.start();
 }
 
@@ -82,8 +81,11 @@ void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& co
   update_clock(input, measured);
   contacts_.update(clock_, contact, stumble_.lifting(), input.dt);
   update_ground(input);
-  body_.update(input.gains, command, measured, acceleration_share(input.gains, command), input.dt);
-  update_sway(input);
+  body_.update(input.gains, command, measured,
+               acceleration_share(pattern_, input.gains, size_, command, body_.velocity()),
+               input.dt);
+  sway_.update(sway_input({pattern_, size_, clock_, contacts_, body_, footholds_}, input),
+               input.dt);
   body_.write(ground_, sway_, offset, input.delay, reference);
   // For those who compare base and reference: the QP moves the centre of mass.
   reference.p_base = reference.p_com + input.state.q.head<3>() - input.p_com;
@@ -102,67 +104,16 @@ HorizontalMotion Stepping::motion_without_sway(const PlannerInput& input) const 
   return motion;
 }
 
-// Return the pattern for a velocity; at velocity 0, the order of a walk does not change.
-StepPattern Stepping::suitable_pattern(const Gains& gains, bool walk,
-                                       const WalkVelocity& command) const noexcept {
-  StepPattern pattern = pattern_;
-  pattern.walk = walk;
-  if (walk && size_.fastest_hip(command) > 0.0) {
-    pattern.order = best_walk_order(pattern_.order, size_, command,
-                                    gait_timing(pattern, gains, size_, command).period,
-                                    gains.walk_gait_margin * size_.height);
-  }
-  return pattern;
-}
-
 // Change the pattern when all feet stand. A trot becomes a walk only at a speed at which a walk can
 // go on.
 void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept {
-  const StepPattern pattern = suitable_pattern(gains, walk, command);
+  const StepPattern pattern = suitable_pattern(pattern_, gains, size_, walk, command);
   const double limit = kWalkSpeed * gains.walk_gait_speed * size_.speed;
   changes_pattern_ = !(pattern == pattern_) && (!walk || body_.v_world().norm() <= limit);
   if (!changes_pattern_ || !contacts_.others_in_stance(-1)) return;
   pattern_ = pattern;
   changes_pattern_ = false;
   clock_.start();
-}
-
-// A walk reaches its greatest speed in a period: until then, the foot that lifts off last stands
-// where it stood at the beginning.
-double Stepping::acceleration_share(const Gains& gains,
-                                    const WalkVelocity& command) const noexcept {
-  const bool brakes = size_.fastest_hip(command) < size_.fastest_hip(body_.velocity());
-  if (!pattern_.walk || brakes) return 1.0;
-  const double acceleration = gains.walk_gait_speed * size_.speed / clock_.timing().period;
-  return std::min(1.0, acceleration / (gains.walk_acceleration * kGravity));
-}
-
-void Stepping::update_sway(const PlannerInput& input) noexcept {
-  const GaitTiming& timing = clock_.timing();
-  const HorizontalMotion body = body_.motion();
-  BodySway::Input sway{body.p_com, body.v_com, body_.a_world(), {}, {}, 0.0, 0.0};
-  for (int leg = 0; leg < kLegs; ++leg) {
-    sway.swings[leg] = next_swing(input, leg);
-    sway.stance[leg] = pattern_.walk && contacts_.in_stance(leg);
-  }
-  sway.shift_time = (timing.duty - 0.75) * timing.period;
-  sway.margin = input.gains.walk_gait_margin * size_.height;
-  sway_.update(sway, input.dt);
-}
-
-// A trot has no support triangles: no foot swings as far as the sway is concerned.
-NextSwing Stepping::next_swing(const PlannerInput& input, int leg) const noexcept {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  const Eigen::Vector2d stands = input.p_feet.col(leg).head<2>();
-  if (!pattern_.walk) return {kNever, kNever, kNever, stands, stands};
-  const double begin = clock_.time_to_liftoff(leg);
-  if (clock_.in_swing(leg)) {
-    return {0.0, clock_.time_to_touchdown(leg), 0.0, stands, footholds_.col(leg).head<2>()};
-  }
-  const double end = begin + clock_.timing().swing_time();
-  const Eigen::Vector2d lands =
-      foothold(input.gains, size_, body_.motion(), body_, leg, end, clock_.timing().stance_time());
-  return {begin, end, clock_.time_since_touchdown(leg), stands, lands};
 }
 
 void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
@@ -197,7 +148,8 @@ Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
 double Stepping::longest_wait() const noexcept {
   if (stumble_.any()) return stumble_.longest_time();
   // A walk lifts a foot only when the other three carry their full load.
-  return contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0) ? kMaxWait * clock_.timing().period : 0.0;
+  return contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0) ? kMaxWait * clock_.timing().period
+                                                           : 0.0;
 }
 
 void Stepping::update_ground(const PlannerInput& input) noexcept {
@@ -227,8 +179,7 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   if (lifting && stumble_.rises(leg)) target.head<2>() = stumble_.p_start(leg).head<2>();
   const double planned =
       pattern_.walk ? input.gains.walk_gait_swing_height : input.gains.swing_height;
-  const double height =
-      lifting ? stumble_.height() : planned * size_.height + clearance_.extra();
+  const double height = lifting ? stumble_.height() : planned * size_.height + clearance_.extra();
   swing.update({height, input.gains.swing_landing_speed * size_.speed}, target,
                lifting ? stumble_.progress(leg) : clock_.swing_progress(leg),
                lifting ? stumble_.time() : clock_.timing().swing_time(), time_left, input.dt);

@@ -4,8 +4,8 @@
 #include "gait/body_trajectory.hpp"
 #include "gait/foot_contacts.hpp"
 #include "gait/gait_clock.hpp"
-#include "gait/gait_timing.hpp"
 #include "gait/ground_plane.hpp"
+#include "gait/step_pattern.hpp"
 #include "gait/stumble.hpp"
 #include "gait/swing_clearance.hpp"
 #include "gait/swing_trajectory.hpp"
@@ -47,19 +47,13 @@ class Stepping {
   const FootContacts& contacts() const noexcept { return contacts_; }
   const GaitClock& clock() const noexcept { return clock_; }
   const BodyTrajectory& body() const noexcept { return body_; }
-
   const BodySway& sway() const noexcept { return sway_; }
 
  private:
   void begin(const PlannerInput& input, double height_offset) noexcept;
   void update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
-  StepPattern suitable_pattern(const Gains& gains, bool walk,
-                               const WalkVelocity& command) const noexcept;
   void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
-  double acceleration_share(const Gains& gains, const WalkVelocity& command) const noexcept;
-  void update_sway(const PlannerInput& input) noexcept;
-  NextSwing next_swing(const PlannerInput& input, int leg) const noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
   Eigen::Vector4d judge_contacts(const PlannerInput& input) noexcept;
   double longest_wait() const noexcept;  // [s] of the clock
