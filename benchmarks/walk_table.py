@@ -1,8 +1,9 @@
 """Table of a walk: for every row what is asked, and what each robot does, worst of the seeds.
 
-The rows are velocities, the gait walk, straight line, start and stop, pushes, ground, and errors of the model and
-of the link. Odd seeds have foot forces in newtons, even seeds none. A row passes if every figure of
-every seed is within what is asked; rows of pushes and of the platform may fail in 5 % of the seeds.
+The rows are velocities, the gait walk, straight line, start and stop, pushes, ground, and errors
+of the model and of the link. Odd seeds have foot forces in newtons, even seeds none. A row passes
+if every figure of every seed is within what is asked; rows of pushes and of the platform may fail
+in 5 % of the seeds.
 """
 
 from __future__ import annotations

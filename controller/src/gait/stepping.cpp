@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gait/foothold.hpp"
+#include "gait/gait_timing.hpp"
 #include "gait/step_timing.hpp"
 #include "gait/sway_input.hpp"
 #include "reference/capture_margin.hpp"
