@@ -26,7 +26,7 @@ struct TimingFixture {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(gait_timing)
+BOOST_AUTO_TEST_SUITE(gait_times)
 
 BOOST_FIXTURE_TEST_CASE(size_of_the_robot_is_that_of_its_standing_pose, TimingFixture) {
   BOOST_TEST(std::abs(size.time * size.time * kGravity - size.height) < 1e-12);

@@ -103,13 +103,13 @@ BOOST_FIXTURE_TEST_CASE(reset_sets_the_velocity_to_zero, CommandFixture) {
 BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_to_what_the_power_limit_carries, CommandFixture) {
   const double power = gains.walk_power_rest + 0.125 * gains.walk_power_rise;
   VelocityCommand limited(size, 0.5, power);
-  limited.set(gains, {0.49 * size.speed, 0.0, 0.0});
+  limited.set(gains, Gait::kAuto, {0.49 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kNone));
-  limited.set(gains, {0.6 * size.speed, 0.0, 0.0});
+  limited.set(gains, Gait::kAuto, {0.6 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kPower));
   BOOST_TEST(limited.velocity().vx == 0.5 * size.speed, boost::test_tools::tolerance(1e-9));
   // A turn moves the hips too; direction and curvature stay.
-  limited.set(gains, {0.4 * size.speed, 0.2 * size.speed, 0.4 / size.time});
+  limited.set(gains, Gait::kAuto, {0.4 * size.speed, 0.2 * size.speed, 0.4 / size.time});
   BOOST_TEST(size.fastest_hip(limited.velocity()) == 0.5 * size.speed,
              boost::test_tools::tolerance(1e-9));
   BOOST_TEST(limited.velocity().vx == 2.0 * limited.velocity().vy,
@@ -119,7 +119,7 @@ BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_to_what_the_power_limit_carries, Com
 BOOST_FIXTURE_TEST_CASE(robot_whose_power_limit_is_too_small_for_a_trot_gets_no_velocity,
                         CommandFixture) {
   VelocityCommand limited(size, 0.5, 0.9 * gains.walk_power_rest);
-  limited.set(gains, {0.3 * size.speed, 0.0, 0.0});
+  limited.set(gains, Gait::kAuto, {0.3 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kPower));
   BOOST_TEST(limited.is_zero());
 }
