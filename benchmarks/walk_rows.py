@@ -102,6 +102,14 @@ def check_velocity(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[flo
     return figures
 
 
+def check_walk_gait(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
+    """Ask for the velocity errors of a gait walk, and for three loaded feet in 95 % of ticks."""
+    figures = check_velocity(log, summary)
+    if summary["three_feet_loaded"] is not None:
+        figures["ticks below three feet %"] = (100.0 * (1.0 - summary["three_feet_loaded"]), 5.0)
+    return figures
+
+
 def check_straight(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
     """Ask for heading, path and equal strides of a long straight walk."""
     middle: dict[int, list[np.ndarray]] = {leg: [] for leg in range(4)}

@@ -1,8 +1,9 @@
 """Table of a walk: for every row what is asked, and what each robot does, worst of the seeds.
 
-The rows are velocities, straight line, start and stop, pushes, ground, and errors of the model and
-of the link. Odd seeds have foot forces in newtons, even seeds none. A row passes if every figure of
-every seed is within what is asked; rows of pushes and of the platform may fail in 5 % of the seeds.
+The rows are velocities, the gait walk, straight line, start and stop, pushes, ground, and errors
+of the model and of the link. Odd seeds have foot forces in newtons, even seeds none. A row passes
+if every figure of every seed is within what is asked; rows of pushes and of the platform may fail
+in 5 % of the seeds.
 """
 
 from __future__ import annotations
@@ -24,22 +25,26 @@ from seed_runs import (
 from surefoot import Error, Gait
 from surefoot.robot.loading import build_robot, describe_robot
 from surefoot.sim import Flaws, Terrain
+from surefoot.stand import parse_reference
 from surefoot.walk import VelocityRequest, WalkSettings, run_walk, summarise
 from walk_rows import (
     SMALL,
     START,
+    Check,
     Row,
     check_push,
     check_start_and_stop,
     check_straight,
     check_upright,
     check_velocity,
+    check_walk_gait,
     pushed,
     walk,
 )
 
 QUICK = ("vx 0.5", "platform 8 cm", "stairs 5 cm", "blocks 3 cm", "slope 15 deg, 45 deg")
 B1 = ("b1",)
+Velocity = tuple[float, float, float]
 
 
 def velocity_row(name: str, velocity: tuple[float, float, float], robots: tuple[str, ...]) -> Row:
@@ -97,6 +102,49 @@ def payload_row(name: str, position: tuple[float, float, float]) -> Row:
     return Row(name, settings, check_upright)
 
 
+def gait_walk_rows() -> list[Row]:
+    """Return the rows of the gait walk."""
+    velocities = [(0.25, 0, 0), (-0.25, 0, 0), (0, 0.25, 0), (0, -0.25, 0), (0.18, 0.18, 0)]
+    velocities += [(0, 0, 0.5), (0, 0, -0.5), (0.25, 0, 0.5), (0, 0.25, -0.5), (-0.18, 0.18, 0.5)]
+
+    def row(name: str, velocity: Velocity, check: Check, duration: float, **plant: object) -> Row:
+        return Row(
+            f"walk: {name}",
+            lambda robot, seed: walk(robot, seed, velocity, duration, plant, gait=Gait.WALK),
+            check,
+        )
+
+    return [
+        *(row(_velocity_name(v), v, check_walk_gait, 8.0) for v in velocities),
+        *(
+            row(
+                f"slope 20 deg, {heading} deg",
+                (0.2, 0, 0),
+                check_upright,
+                8.0,
+                slope_deg=20.0,
+                slope_heading_deg=heading,
+            )
+            for heading in range(0, 360, 90)
+        ),
+        row("platform 8 cm", (0.2, 0, 0), check_upright, 25.0, terrain=Terrain(step_height=0.08)),
+    ]
+
+
+def body_rows() -> list[Row]:
+    """Return the rows of a trot with the body moved."""
+    return [
+        Row(
+            f"vx 0.5, {text}",
+            lambda robot, seed, text=text: walk(
+                robot, seed, (0.5, 0, 0), references=(parse_reference(f"{text}@0.1"),)
+            ),
+            check_velocity,
+        )
+        for text in ("height=0.04", "height=-0.04", "pitch=10", "pitch=-10")
+    ]
+
+
 def push_rows(speed: float, share: float, robots: tuple[str, ...]) -> list[Row]:
     """Return a row for each direction; seed s has phase s % 4, and noise of its own."""
     place = f"at {speed:g} m/s" if speed else "in place"
@@ -133,6 +181,8 @@ def make_rows() -> list[Row]:
         Row("0.6 m/s at 250 Hz", _at_rate(250.0), check_velocity),
         Row("0.6 m/s at 1000 Hz", _at_rate(1000.0), check_velocity),
         Row("stand, 1 m/s, stand", start_and_stop, check_start_and_stop),
+        *gait_walk_rows(),
+        *body_rows(),
         *push_rows(0.0, 1.3, SMALL),
         *push_rows(0.6, 1.0, SMALL),
         *push_rows(0.0, 1.2, B1),

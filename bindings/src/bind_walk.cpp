@@ -31,16 +31,20 @@ void bind_velocity(nb::module_& m) {
   nb::enum_<WalkLimit>(m, "WalkLimit", "Limit to which a commanded velocity was clamped.")
       .value("NONE", WalkLimit::kNone, "No limit: the command is within reach.")
       .value("FORWARD", WalkLimit::kForward,
-             "vx: gains walk_speed_forward and walk_speed_backward.")
-      .value("SIDEWAYS", WalkLimit::kSideways, "vy: gain walk_speed_sideways.")
-      .value("TURN", WalkLimit::kTurn, "yaw_rate: gain walk_turn_speed.")
+             "vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed.")
+      .value("SIDEWAYS", WalkLimit::kSideways,
+             "vy: gain walk_speed_sideways; walk: walk_gait_speed.")
+      .value("TURN", WalkLimit::kTurn,
+             "yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed.")
       .value("POWER", WalkLimit::kPower,
              "All: the power that ControllerOptions.power_limit allows.")
       .value("NOT_FINITE", WalkLimit::kNotFinite,
              "The command has a NaN or an infinity; the previous one stays in force.");
   nb::enum_<Gait>(m, "Gait", "What a WalkController does.")
       .value("AUTO", Gait::kAuto, "Stand at velocity 0, trot otherwise.")
-      .value("TROT", Gait::kTrot, "Trot, also at velocity 0.");
+      .value("TROT", Gait::kTrot, "Trot, also at velocity 0.")
+      .value("WALK", Gait::kWalk,
+             "Stand at velocity 0, walk otherwise: one foot steps at a time, three feet are down.");
 }
 
 void bind_options(nb::module_& m) {
@@ -66,10 +70,11 @@ void bind_walk_controller(nb::module_& m) {
   nb::class_<WalkController, StandController>(
       m, "WalkController",
       "A StandController that also walks: LowState and a velocity in, LowCmd out.\n\n"
-      "At velocity 0 it stands. At another velocity it trots:\n"
-      "diagonal pairs of feet step in turn. Footholds follow the measured velocity, so the\n"
-      "robot also steps after a push. When the velocity is 0 again, it steps until its feet\n"
-      "are in the nominal stance, and stands. With a lost leg it only stands.")
+      "At velocity 0 it stands. At another velocity it trots, or with Gait.WALK walks with three\n"
+      "feet down. Footholds follow the measured velocity, so the robot also steps after a push.\n"
+      "When the velocity is 0 again, it steps until its feet are in the nominal stance, and\n"
+      "stands. With a lost leg it only stands. Height, roll and pitch of set_body_reference()\n"
+      "apply while it steps, relative to the standing pose.")
       .def(
           "__init__",
           [](WalkController* self, const Robot& robot, const Gains* gains,
@@ -87,7 +92,8 @@ void bind_walk_controller(nb::module_& m) {
       .def("set_velocity", &WalkController::set_velocity, "velocity"_a,
            "Command a WalkVelocity; call it more often than WalkOptions.velocity_timeout.\n\n"
            "The velocity is clamped to the gains walk_speed_forward, walk_speed_backward,\n"
-           "walk_speed_sideways and walk_turn_speed. A velocity with a NaN or an infinity is\n"
+           "walk_speed_sideways and walk_turn_speed; in the gait WALK to walk_gait_speed and\n"
+           "walk_gait_turn_speed. A velocity with a NaN or an infinity is\n"
            "ignored. velocity_limit reports both. Real-time: yes.")
       .def_prop_ro("commanded_velocity", &WalkController::commanded_velocity,
                    "Velocity that is commanded, clamped; 0 after the timeout.")

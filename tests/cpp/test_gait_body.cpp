@@ -9,16 +9,21 @@ using namespace surefoot;
 namespace {
 
 struct BodyFixture : WalkingBody {
+  BodySway sway{size};
+  BodyMotion offset{quadruped()};
   FeetMatrix feet;  // around the measured body, at height 0
   BodyFixture() {
     feet = size.nominal_feet;
     feet.topRows<2>().colwise() += measured.p_com;
     feet.row(2).setZero();
+    const Eigen::VectorXd q = quadruped().q_standing();
+    offset.latch({Vector3(0.0, 0.0, size.height), Quaternion::Identity()},
+                 Vector3(0.0, 0.0, size.height), q);
   }
   const Reference& written(double ahead = 0.0) {
     GroundPlane ground;
     ground.start(feet);
-    body.write(ground, ahead, reference);
+    body.write(ground, sway, offset, ahead, reference);
     return reference;
   }
 };
@@ -67,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(turning_walk_has_centripetal_acceleration, BodyFixture) 
 }
 
 BOOST_FIXTURE_TEST_CASE(position_stays_near_a_body_that_is_held, BodyFixture) {
-  for (int k = 0; k < 2000; ++k) body.update(gains, {0.5, 0.0, 0.0}, measured, kDt);
+  for (int k = 0; k < 2000; ++k) body.update(gains, {0.5, 0.0, 0.0}, measured, 1.0, kDt);
   const Eigen::Vector2d ahead = written().p_com.head<2>() - measured.p_com;
   BOOST_TEST(std::abs(ahead.norm() - 0.17 * size.height) < 1e-9);
   BOOST_TEST(std::abs(ahead.norm() - ahead.dot(Eigen::Vector2d(std::cos(0.4), std::sin(0.4)))) <
@@ -78,7 +83,7 @@ BOOST_FIXTURE_TEST_CASE(heading_stays_near_the_body_through_full_turns, BodyFixt
   measured.yaw = M_PI - 0.05;
   body.start(measured, size.height);
   for (int k = 0; k < 5000; ++k) {
-    body.update(gains, {0.0, 0.0, 1.0}, measured, kDt);
+    body.update(gains, {0.0, 0.0, 1.0}, measured, 1.0, kDt);
     const Quaternion heading = exp_so3(measured.yaw * Vector3::UnitZ());
     BOOST_REQUIRE(written().R_world_base.angularDistance(heading) < 0.1 + 1e-6);
     measured.yaw = std::remainder(measured.yaw + 0.9 * kDt, 2.0 * M_PI);  // slower: it lags
@@ -118,6 +123,26 @@ BOOST_FIXTURE_TEST_CASE(body_rises_to_its_standing_height, BodyFixture) {
   BOOST_TEST(std::abs(size.height - written().p_com.z() - 0.05 * std::exp(-1.0)) < 1e-3);
   walk({}, 1.5);
   BOOST_TEST(std::abs(size.height - written().p_com.z()) < 1e-4);
+}
+
+// The offset moves at limited speed, and so does the reference.
+BOOST_FIXTURE_TEST_CASE(body_has_the_requested_height_and_attitude_over_its_heading, BodyFixture) {
+  FeetMatrix stance = size.nominal_feet;
+  stance.row(2).setZero();
+  offset.set_walking(true);
+  offset.set_target({0.05, 0.05, -0.02, 0.05, 0.1, 0.3});
+  double last = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    offset.update(gains, stance, -Vector3::UnitZ(), kDt);
+    const double z = written().p_com.z();
+    BOOST_REQUIRE((k == 0 || std::abs(z - last) <= gains.reference_speed * kDt + 1e-9));
+    last = z;
+  }
+  BOOST_TEST(std::abs(last - size.height + 0.02) < 1e-4);
+  BOOST_TEST((reference.p_com.head<2>() - measured.p_com).norm() < 1e-9);
+  const Quaternion R = exp_so3(0.4 * Vector3::UnitZ()) * exp_so3(0.1 * Vector3::UnitY()) *
+                       exp_so3(0.05 * Vector3::UnitX());
+  BOOST_TEST(reference.R_world_base.angularDistance(R) < 1e-3);
 }
 
 BOOST_FIXTURE_TEST_CASE(reference_is_written_for_the_time_when_the_command_acts, BodyFixture) {

@@ -26,7 +26,7 @@ struct ContactsFixture {
   }
   void tick() {
     const bool was_in_stance = contacts.in_stance(FL_);
-    clock.advance(timing, contacts.late(clock) ? 0.06 : 0.0, false, kDt);
+    clock.advance(timing, contacts.late(clock, 0.0) ? 0.06 : 0.0, false, kDt);
     contacts.update(clock, contact, lifting, kDt);
     lift_offs += contacts.lifted_off(FL_);
     landings += !was_in_stance && contacts.in_stance(FL_);
@@ -58,7 +58,7 @@ BOOST_FIXTURE_TEST_CASE(foot_that_lands_in_time_is_in_stance_again, ContactsFixt
   }
   BOOST_TEST((contacts.phase(FL_) == FootPhase::kStance));
   BOOST_TEST((lift_offs == 1 && landings == 1 && losses == 0));
-  BOOST_TEST(!contacts.late(clock));
+  BOOST_TEST(!contacts.late(clock, 0.0));
 }
 
 // Contact at the start of a swing is the foot that still leaves the ground, or an obstacle.
@@ -83,14 +83,25 @@ BOOST_FIXTURE_TEST_CASE(late_foot_has_little_load_until_it_lands, ContactsFixtur
   until(FootPhase::kLateSwing);
   BOOST_TEST((landings == 0 && losses == 0));
   for (int k = 0; k < 15; ++k) tick();
-  BOOST_TEST(contacts.late(clock));
+  BOOST_TEST(contacts.late(clock, 0.0));
   BOOST_TEST(contacts.load(FL_) == 0.1);
   contact[FL_] = 0.6;  // not sure yet
   tick();
-  BOOST_TEST(contacts.late(clock));
+  BOOST_TEST(contacts.late(clock, 0.0));
   contact[FL_] = 0.8;
   tick();
   BOOST_TEST((contacts.phase(FL_) == FootPhase::kStance && landings == 1));
+}
+
+// A walk waits until a foot that has landed carries its full load.
+BOOST_FIXTURE_TEST_CASE(foot_with_less_than_the_smallest_load_is_late, ContactsFixture) {
+  until(FootPhase::kSwing);
+  until(FootPhase::kStance);
+  BOOST_TEST(contacts.load(FL_) < 1.0);
+  BOOST_TEST((contacts.late(clock, 1.0) && !contacts.late(clock, 0.0)));
+  for (int k = 0; k < 10; ++k) tick();
+  BOOST_TEST(contacts.load(FL_) == 1.0);
+  BOOST_TEST(!contacts.late(clock, 1.0));
 }
 
 BOOST_FIXTURE_TEST_CASE(foot_that_lifts_over_an_obstacle_swings_until_it_lands, ContactsFixture) {
@@ -116,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(stance_foot_that_loses_the_ground_reaches_for_it, Contac
   contact[FL_] = 0.2;
   tick();
   BOOST_TEST((contacts.phase(FL_) == FootPhase::kLateSwing && losses == 1));
-  BOOST_TEST((contacts.load(FL_) == 0.1 && contacts.late(clock) && !contacts.in_stance(FL_)));
+  BOOST_TEST((contacts.load(FL_) == 0.1 && contacts.late(clock, 0.0) && !contacts.in_stance(FL_)));
   tick();
   BOOST_TEST(losses == 1);
 }

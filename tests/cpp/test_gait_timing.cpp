@@ -21,12 +21,12 @@ GaitSize scaled(GaitSize size, double factor) {
 struct TimingFixture {
   Gains gains;
   GaitSize size{quadruped()};
-  GaitTiming at_speed(double vx) const { return trot_timing(gains, size, {vx, 0.0, 0.0}); }
+  GaitTiming at_speed(double vx) const { return gait_timing({}, gains, size, {vx, 0.0, 0.0}); }
 };
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(gait_timing)
+BOOST_AUTO_TEST_SUITE(gait_times)
 
 BOOST_FIXTURE_TEST_CASE(size_of_the_robot_is_that_of_its_standing_pose, TimingFixture) {
   BOOST_TEST(std::abs(size.time * size.time * kGravity - size.height) < 1e-12);
@@ -76,13 +76,35 @@ BOOST_FIXTURE_TEST_CASE(duty_falls_so_that_the_swing_speed_is_kept, TimingFixtur
 BOOST_FIXTURE_TEST_CASE(turning_counts_as_the_speed_of_the_fastest_hip, TimingFixture) {
   const double arm = size.nominal_feet.topRows<2>().colwise().norm().maxCoeff();
   for (const double yaw_rate : {9.0, -9.0}) {
-    const GaitTiming turning = trot_timing(gains, size, {0.0, 0.0, yaw_rate});
+    const GaitTiming turning = gait_timing({}, gains, size, {0.0, 0.0, yaw_rate});
     BOOST_TEST(turning.period < gains.gait_period * size.time);
     BOOST_TEST(std::abs(turning.period - at_speed(9.0 * arm).period) < 1e-12);
     BOOST_TEST(std::abs(turning.duty - at_speed(9.0 * arm).duty) < 1e-12);
   }
-  const GaitTiming sideways = trot_timing(gains, size, {0.6, -0.8, 0.0});
+  const GaitTiming sideways = gait_timing({}, gains, size, {0.6, -0.8, 0.0});
   BOOST_TEST(std::abs(sideways.period - at_speed(1.0).period) < 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(feet_of_a_walk_lift_off_in_order_a_quarter_of_the_period_apart,
+                        TimingFixture) {
+  for (const WalkOrder& order : {WalkOrder{RR_, FR_, RL_, FL_}, WalkOrder{RR_, RL_, FR_, FL_}}) {
+    const GaitTiming timing = gait_timing({true, order}, gains, size, {0.1, 0.0, 0.0});
+    BOOST_TEST(timing.duty == gains.walk_gait_duty);
+    for (int k = 0; k < kLegs; ++k) {
+      const double lift_off = timing.duty - timing.offset[order[k]];  // phase of the clock
+      BOOST_TEST(std::abs(std::remainder(lift_off - 0.25 * (k + 1), 1.0)) < 1e-12);
+    }
+  }
+}
+
+// One foot swings at a time, whatever the speed.
+BOOST_FIXTURE_TEST_CASE(walk_keeps_three_feet_down_at_every_speed, TimingFixture) {
+  for (double vx = 0.0; vx < 3.0; vx += 0.1) {
+    const GaitTiming timing = gait_timing({true, {}}, gains, size, {vx, 0.0, 0.0});
+    BOOST_REQUIRE(timing.duty >= 0.75);
+    BOOST_REQUIRE(timing.period <= gains.walk_gait_period * size.time + 1e-12);
+    BOOST_REQUIRE(vx * timing.stance_time() < gains.gait_stance_travel * size.height + 1e-9);
+  }
 }
 
 // The gains have units of h and g, so similar robots have similar gaits. A b1 is 1.8 times an a1.
@@ -90,8 +112,8 @@ BOOST_FIXTURE_TEST_CASE(timing_scales_with_the_size_of_the_robot, TimingFixture)
   for (const double factor : {0.5, 1.8}) {
     const GaitSize other = scaled(size, factor);
     for (const double froude : {0.0, 0.3, 0.6, 1.0, 1.5}) {
-      const GaitTiming a = trot_timing(gains, size, {froude * size.speed, 0.0, 0.0});
-      const GaitTiming b = trot_timing(gains, other, {froude * other.speed, 0.0, 0.0});
+      const GaitTiming a = gait_timing({}, gains, size, {froude * size.speed, 0.0, 0.0});
+      const GaitTiming b = gait_timing({}, gains, other, {froude * other.speed, 0.0, 0.0});
       BOOST_TEST(std::abs(a.duty - b.duty) < 1e-12);
       BOOST_TEST(std::abs(a.period / size.time - b.period / other.time) < 1e-9);
     }

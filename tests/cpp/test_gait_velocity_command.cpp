@@ -16,8 +16,9 @@ struct CommandFixture {
   Gains gains;
   GaitSize size{quadruped()};
   VelocityCommand command{size, 0.5, kInfinity};
+  Gait gait = Gait::kAuto;
   WalkLimit set(double vx, double vy, double yaw_rate) {
-    command.set(gains, {vx, vy, yaw_rate});
+    command.set(gains, gait, {vx, vy, yaw_rate});
     return command.limit();
   }
 };
@@ -49,6 +50,18 @@ BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_and_its_limit_named, CommandFixture)
     BOOST_TEST(command.velocity().yaw_rate == sign * gains.walk_turn_speed / size.time);
   }
   BOOST_TEST((set(0.1, 0.0, 0.0) == WalkLimit::kNone));
+}
+
+BOOST_FIXTURE_TEST_CASE(walk_has_smaller_limits_with_the_same_names, CommandFixture) {
+  gait = Gait::kWalk;
+  for (const double sign : {1.0, -1.0}) {
+    BOOST_TEST((set(sign * 9.0, 0.0, 0.0) == WalkLimit::kForward));
+    BOOST_TEST(command.velocity().vx == sign * gains.walk_gait_speed * size.speed);
+    BOOST_TEST((set(0.0, sign * 9.0, 0.0) == WalkLimit::kSideways));
+    BOOST_TEST(command.velocity().vy == sign * gains.walk_gait_speed * size.speed);
+    BOOST_TEST((set(0.0, 0.0, sign * 9.0) == WalkLimit::kTurn));
+    BOOST_TEST(command.velocity().yaw_rate == sign * gains.walk_gait_turn_speed / size.time);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(velocity_that_is_not_finite_keeps_the_last_one, CommandFixture) {
@@ -90,13 +103,13 @@ BOOST_FIXTURE_TEST_CASE(reset_sets_the_velocity_to_zero, CommandFixture) {
 BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_to_what_the_power_limit_carries, CommandFixture) {
   const double power = gains.walk_power_rest + 0.125 * gains.walk_power_rise;
   VelocityCommand limited(size, 0.5, power);
-  limited.set(gains, {0.49 * size.speed, 0.0, 0.0});
+  limited.set(gains, Gait::kAuto, {0.49 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kNone));
-  limited.set(gains, {0.6 * size.speed, 0.0, 0.0});
+  limited.set(gains, Gait::kAuto, {0.6 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kPower));
   BOOST_TEST(limited.velocity().vx == 0.5 * size.speed, boost::test_tools::tolerance(1e-9));
   // A turn moves the hips too; direction and curvature stay.
-  limited.set(gains, {0.4 * size.speed, 0.2 * size.speed, 0.4 / size.time});
+  limited.set(gains, Gait::kAuto, {0.4 * size.speed, 0.2 * size.speed, 0.4 / size.time});
   BOOST_TEST(size.fastest_hip(limited.velocity()) == 0.5 * size.speed,
              boost::test_tools::tolerance(1e-9));
   BOOST_TEST(limited.velocity().vx == 2.0 * limited.velocity().vy,
@@ -106,7 +119,7 @@ BOOST_FIXTURE_TEST_CASE(velocity_is_clamped_to_what_the_power_limit_carries, Com
 BOOST_FIXTURE_TEST_CASE(robot_whose_power_limit_is_too_small_for_a_trot_gets_no_velocity,
                         CommandFixture) {
   VelocityCommand limited(size, 0.5, 0.9 * gains.walk_power_rest);
-  limited.set(gains, {0.3 * size.speed, 0.0, 0.0});
+  limited.set(gains, Gait::kAuto, {0.3 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kPower));
   BOOST_TEST(limited.is_zero());
 }

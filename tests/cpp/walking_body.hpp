@@ -18,7 +18,7 @@ struct WalkingBody {
 
   WalkingBody() { body.start(measured, size.height); }
   void tick(const WalkVelocity& command) {
-    body.update(gains, command, measured, kDt);
+    body.update(gains, command, measured, 1.0, kDt);
     measured.v_com = body.v_world();
     measured.p_com += kDt * measured.v_com;
     measured.yaw = std::remainder(body.yaw(), 2.0 * M_PI);

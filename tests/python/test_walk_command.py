@@ -74,6 +74,12 @@ def test_options_reach_the_settings_in_si_units() -> None:
     assert (plant.payload_kg, plant.seed, plant.foot_force) == (1.0, 7, "raw")
 
 
+def test_gait_walk_and_references_reach_the_settings() -> None:
+    settings = settings_of("--gait walk --reference height=-0.02,pitch=5@1")
+    assert settings.gait == Gait.WALK
+    assert [request.offsets for request in settings.references] == [{"height": -0.02, "pitch": 5.0}]
+
+
 @pytest.mark.parametrize(
     ("words", "terrain"),
     [

@@ -22,7 +22,7 @@ def read_simulation(arguments: argparse.Namespace) -> dict[str, Any]:
         Error: An argument is wrong.
     """
     from surefoot.sim import PlantSettings
-    from surefoot.stand import parse_push
+    from surefoot.stand import parse_push, parse_reference
     from surefoot.stand.simulation_settings import check_rate
 
     check_rate(arguments.rate)
@@ -52,6 +52,7 @@ def read_simulation(arguments: argparse.Namespace) -> dict[str, Any]:
         "duration": arguments.duration,
         "plant": plant,
         "pushes": tuple(parse_push(text) for text in arguments.push),
+        "references": tuple(parse_reference(text) for text in arguments.reference),
         "gains": read_gains(arguments.gains, robot),
         "motor_damping": arguments.motor_damping,
         "form": read_form(arguments.form),

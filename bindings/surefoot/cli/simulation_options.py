@@ -11,6 +11,11 @@ _PUSH_HELP = (
     "left; N.s, or percent of the LIP push limit (linear inverted pendulum); s; m above the centre "
     "of mass (0); s. Example: lateral:8.0:0.1@2.0, lateral:50%%:0.1:-0.05@2.0. Repeatable"
 )
+_REFERENCE_HELP = (
+    "NAME=VALUE[,NAME=VALUE ...]@TIME: reference of the body: x, y, height [m], roll, pitch, yaw "
+    "[deg], relative to the latched standing pose; s. Other axes keep their reference. A walking "
+    "robot follows height, roll and pitch. Example: roll=10@4.0, height=-0.02,yaw=5@6. Repeatable"
+)
 
 
 def add_plant_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
@@ -104,6 +109,7 @@ def add_tick_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup
         metavar="MS",
         help="delay from measurement to action that the controller compensates by prediction (0)",
     )
+    add("--reference", action="append", default=[], metavar="REFERENCE", help=_REFERENCE_HELP)
     return group
 
 

@@ -54,7 +54,6 @@ def stand(arguments: argparse.Namespace) -> int:
 
 def read_settings(arguments: argparse.Namespace) -> StandSettings:
     """Return the settings that the arguments give; raise Error if an argument is wrong."""
-    from surefoot.stand import StandSettings, parse_reference
+    from surefoot.stand import StandSettings
 
-    references = tuple(parse_reference(text) for text in arguments.reference)
-    return StandSettings(**read_simulation(arguments), references=references)
+    return StandSettings(**read_simulation(arguments))

@@ -6,11 +6,6 @@ import argparse
 
 from surefoot.cli.simulation_options import add_flaw_options, add_plant_options, add_tick_options
 
-_REFERENCE_HELP = (
-    "NAME=VALUE[,NAME=VALUE ...]@TIME: reference of the body: x, y, height [m], roll, pitch, yaw "
-    "[deg], relative to the latched standing pose; s. Other axes keep their reference. Example: "
-    "roll=10@4.0, height=-0.02,yaw=5@6. Repeatable"
-)
 _EPILOG = (
     "exit status: 0 the robot stood, 3 it fell (results are written in both cases), 1 a file could "
     "not be written, 2 a wrong argument, 130 interrupted"
@@ -22,10 +17,7 @@ def add_stand_options(parser: argparse.ArgumentParser) -> None:
     parser.epilog = _EPILOG
     add_plant_options(parser)
     add_flaw_options(parser)
-    controller = add_tick_options(parser)
-    controller.add_argument(
-        "--reference", action="append", default=[], metavar="REFERENCE", help=_REFERENCE_HELP
-    )
+    add_tick_options(parser)
     add = parser.add_argument_group("results").add_argument
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
     add(

@@ -45,8 +45,9 @@ def add_walk_options(parser: argparse.ArgumentParser) -> None:
     controller.add_argument(
         "--gait",
         default="auto",
-        metavar="auto|trot",
-        help="auto: stand at velocity 0, trot otherwise; trot: trot always (auto)",
+        metavar="auto|trot|walk",
+        help="auto: stand at velocity 0, trot otherwise; trot: trot always; walk: stand at "
+        "velocity 0, step with one foot at a time otherwise (auto)",
     )
     add = parser.add_argument_group("results").add_argument
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")

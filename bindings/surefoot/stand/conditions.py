@@ -8,25 +8,10 @@ from typing import Any
 from surefoot.robot.gain_files import changed_gains
 from surefoot.stand.reference_request import AXES
 from surefoot.stand.simulation_log import SimulationLog
-from surefoot.stand.stand_log import StandLog
 
 
-def describe_conditions(log: StandLog) -> dict[str, Any]:
-    """Return the summary fields of the group Conditions."""
-    return {
-        **describe_simulation(log),
-        "references": [
-            {
-                "time_s": request.time,
-                **{f"{axis}_{AXES[axis]}": value for axis, value in request.offsets.items()},
-            }
-            for request in log.settings.references
-        ],
-    }
-
-
-def describe_simulation(log: SimulationLog) -> dict[str, Any]:
-    """Return the conditions that runs of all controllers have: plant, pushes, options."""
+def describe_conditions(log: SimulationLog) -> dict[str, Any]:
+    """Return the summary fields of the group Conditions: plant, options, pushes, references."""
     settings, plant = log.settings, log.settings.plant
     return {
         "version": importlib.metadata.version("surefoot"),
@@ -62,6 +47,13 @@ def describe_simulation(log: SimulationLog) -> dict[str, Any]:
                 "height_m": push.height,
             }
             for push, share in zip(log.pushes, log.push_shares, strict=True)
+        ],
+        "references": [
+            {
+                "time_s": request.time,
+                **{f"{axis}_{AXES[axis]}": value for axis, value in request.offsets.items()},
+            }
+            for request in settings.references
         ],
     }
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from surefoot._core import Controller, LowCmd, PosStopF, VelStopF
+from surefoot._core import LowCmd, PosStopF, StandController, VelStopF
 from surefoot.sim import Plant, Push, Truth
 from surefoot.stand.simulation_settings import SimulationSettings
 
@@ -58,7 +59,11 @@ class LogRecorder:
     """
 
     def __init__(
-        self, ticks: int, nq: int, nv: int, more: Mapping[str, tuple[tuple[int, ...], type]]
+        self,
+        ticks: int,
+        nq: int,
+        nv: int,
+        more: Mapping[str, tuple[tuple[int, ...], type]] = MappingProxyType({}),
     ) -> None:
         shapes: dict[str, tuple[int, ...]] = {
             **{"time": (), "tick_us": ()},
@@ -67,7 +72,7 @@ class LogRecorder:
             **{"tau": (MOTOR_COUNT,), "dq": (MOTOR_COUNT,)},
         }
         self._rows: dict[str, np.ndarray] = {k: np.zeros((ticks, *s)) for k, s in shapes.items()}
-        for name in ("status", "fallback_level", "iterations"):
+        for name in ("status", "fallback_level", "iterations", "reach", "reach_motor"):
             self._rows[name] = np.zeros(ticks, dtype=np.int64)
         self._rows["torque_mode"] = np.zeros(ticks, dtype=np.bool_)
         self._rows["commands"] = np.zeros((ticks, len(LowCmd().raw)), dtype=np.uint8)
@@ -78,10 +83,10 @@ class LogRecorder:
     def record(
         self,
         truth: Truth,
-        controller: Controller,
+        controller: StandController,
         command: LowCmd,
         tick_us: float,
-        more: dict[str, Any],
+        more: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
         """Append the values of one tick as a row; `more` has those of the further arrays."""
         rows, k = self._rows, self._count
@@ -96,6 +101,8 @@ class LogRecorder:
             controller.status.value,
             controller.fallback_level.value,
         )
+        reach = controller.reach
+        rows["reach"][k], rows["reach_motor"][k] = reach.limit.value, reach.motor
         rows["iterations"][k] = controller.solution.iterations
         rows["torque_mode"][k] = is_torque_mode(command)
         rows["commands"][k] = command.raw

@@ -15,7 +15,7 @@ from surefoot.stand.foot_frame import (
     rotation_angle,
 )
 from surefoot.stand.reference_request import AXES, first_tick, reference_schedule, to_si
-from surefoot.stand.simulation_log import Array
+from surefoot.stand.simulation_log import Array, SimulationLog
 from surefoot.stand.stand_log import StandLog
 
 # [s] Window at the end of the run in which reach_limit() looks for a limit. Equal to kLimitHoldTime
@@ -80,7 +80,7 @@ def reference_summary(log: StandLog) -> dict[str, Any]:
     return fields
 
 
-def reach_limit(log: StandLog) -> str:
+def reach_limit(log: SimulationLog) -> str:
     """Return the limit that stopped the body reference: none, joint NAME, support, foot height ...
 
     The controller clears a limit when no axis has been blocked for 0.1 s. Then the body reference

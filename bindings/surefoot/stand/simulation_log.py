@@ -46,6 +46,8 @@ class SimulationLog:
         status: (n,) surefoot.Status of the tick.
         fallback_level: (n,) surefoot.FallbackLevel of the tick's command.
         torque_mode: (n,) True if the command has all twelve motors in torque mode.
+        reach: (n,) surefoot.ReachLimit that stops the body reference before its target.
+        reach_motor: (n,) motor whose joint limit stops the body reference; -1: none.
         iterations: (n,) iterations of the QP solver.
         tick_us: (n,) time of Controller.update() as called from Python [us]: wall time of a stand,
             CPU time of a walk.
@@ -73,6 +75,8 @@ class SimulationLog:
     status: IntArray
     fallback_level: IntArray
     torque_mode: npt.NDArray[np.bool_]
+    reach: IntArray
+    reach_motor: IntArray
     iterations: IntArray
     tick_us: Array
     commands: npt.NDArray[np.uint8]

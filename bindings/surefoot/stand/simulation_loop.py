@@ -45,8 +45,7 @@ def run_stand(
     controller = StandController(plant.robot, gains, settings.options)
     references = body_references(settings.references, settings.plant.control_rate)
     header = log_header(settings, plant)
-    more = {"reach": ((), int), "reach_motor": ((), int)}
-    recorder = LogRecorder(settings.ticks, plant.robot.nq, plant.robot.nv, more)
+    recorder = LogRecorder(settings.ticks, plant.robot.nq, plant.robot.nv)
     state = plant.reset()
     truth, sample_truth = plant.truth, plant.first_truth
     for k in range(settings.ticks):
@@ -57,9 +56,7 @@ def run_stand(
         start = perf_counter_ns()
         command = controller.update(state)
         tick_us = (perf_counter_ns() - start) / 1000.0
-        reach = controller.reach
-        reached = {"reach": reach.limit.value, "reach_motor": reach.motor}
-        recorder.record(truth, controller, command, tick_us, reached)
+        recorder.record(truth, controller, command, tick_us)
         state = plant.step(command)
         # step() returns a sample that is one period old with real sensors. So the true state of
         # this sample is the state before the step.

@@ -9,6 +9,7 @@ from surefoot._core import ControllerOptions, Error, Gains, QpForm
 from surefoot.robot.description import RobotDescription
 from surefoot.sim import PlantSettings
 from surefoot.stand.push_request import PushRequest
+from surefoot.stand.reference_request import ReferenceRequest
 
 # [s] Longest run. Derived from the memory: the log of such a run at 500 Hz takes about 1 GB.
 MAX_DURATION = 600.0
@@ -26,6 +27,8 @@ class SimulationSettings:
         plant: Sensors, ground, payload, control rate and seed. The control period must be a whole
             number of milliseconds, the unit of LowState.tick.
         pushes: Requested pushes, in any order.
+        references: Requested body poses; requests for the same time apply in the order of this
+            tuple.
         gains: Gains of the controller; None: the robot's own gains.
         motor_damping: Motor-side damping in every command [N.m.s/rad]; 0: torque mode.
         form: Form of the controller's QP.
@@ -38,6 +41,7 @@ class SimulationSettings:
     duration: float = 10.0
     plant: PlantSettings = field(default_factory=lambda: PlantSettings(seed=1))
     pushes: tuple[PushRequest, ...] = ()
+    references: tuple[ReferenceRequest, ...] = ()
     gains: Gains | None = None
     motor_damping: float = 0.0
     form: QpForm = QpForm.AUTO
@@ -56,6 +60,8 @@ class SimulationSettings:
                     f"push '{push}': ends at {push.time + push.duration:g} s, expected by the end "
                     f"of the run at {self.duration:g} s"
                 )
+        for request in self.references:
+            self.check_time(f"reference '{request}'", request.time)
 
     def check_time(self, what: str, time: float) -> None:
         """Raise Error unless a time [s] is before the end of the run; `what` begins the message."""

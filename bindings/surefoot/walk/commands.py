@@ -10,6 +10,7 @@ from surefoot._core import WalkLimit
 from surefoot.stand.simulation_log import Array
 from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.walk.heading_frame import attitude_on_ground, heading_velocity
+from surefoot.walk.steps import LOADED
 from surefoot.walk.velocity_request import velocity_ticks
 from surefoot.walk.walk_log import WalkLog
 from surefoot.walk.walk_motion import WalkMotion
@@ -45,14 +46,17 @@ def command_figures(log: WalkLog) -> list[dict[str, Any]]:
 
 
 def worst_command(entries: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the largest value of each figure over all commands, each axis for itself.
+    """Return the worst value of each figure over all commands, each axis for itself.
+
+    The worst is the largest, of three_feet_loaded the smallest.
 
     None: no command has the figure.
     """
     worst: dict[str, Any] = {}
     for name in _NO_FIGURES:
         values = [entry[name] for entry in entries if entry[name] is not None]
-        worst[name] = np.max(values, axis=0) if values else None
+        of_all = np.min if name == "three_feet_loaded" else np.max
+        worst[name] = of_all(values, axis=0) if values else None
     return worst
 
 
@@ -60,6 +64,7 @@ _NO_FIGURES: dict[str, Any] = {
     "velocity_mean_error": None,
     "velocity_rmse": None,
     "roll_pitch_rms_deg": None,
+    "three_feet_loaded": None,
     "cost_of_transport": None,
     "torque_hf_rms": None,
 }
@@ -73,12 +78,14 @@ def window_figures(log: WalkMotion, window: slice) -> dict[str, Any]:
     if window.start >= window.stop:
         return dict(_NO_FIGURES)
     velocity = heading_velocity(log)[window]
+    loaded = log.normal_forces[window] > LOADED * log.weight
     error = velocity - log.commanded[window]
-    angles = np.degrees(attitude_on_ground(log)[window, :2])
+    angles = np.degrees(attitude_on_ground(log)[window, :2] - log.body_reference[window, 1:])
     return {
         "velocity_mean_error": np.abs(error.mean(axis=0)),
         "velocity_rmse": rms(error),
         "roll_pitch_rms_deg": rms(angles),
+        "three_feet_loaded": float(np.mean(loaded.sum(axis=1) >= 3)),
         "cost_of_transport": _cost_of_transport(log, window, velocity),
         "torque_hf_rms": high_frequency_rms(log.tau[window], log.rate).max(),
     }

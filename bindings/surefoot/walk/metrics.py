@@ -9,9 +9,10 @@ import numpy as np
 
 from surefoot._core import FallbackLevel, Robot, Status
 from surefoot.files.json_values import json_value
-from surefoot.stand.conditions import describe_simulation
+from surefoot.stand.conditions import describe_conditions
 from surefoot.stand.foot_frame import feet_heading, foot_positions, wrap_angle
 from surefoot.stand.metrics import describe_effort, describe_estimator
+from surefoot.stand.requested_pose import reach_limit
 from surefoot.stand.settling import SETTLED_SPEED
 from surefoot.stand.simulation_log import Array
 from surefoot.walk.commands import command_figures, worst_command
@@ -26,7 +27,7 @@ def summarise(log: WalkLog) -> dict[str, Any]:
     """Return the value of each of summary_fields.FIELDS by name; None: the run has no value."""
     commands = command_figures(log)
     parts = (
-        describe_simulation(log),
+        describe_conditions(log),
         _walk_conditions(log),
         _outcome(log),
         worst_command(commands),
@@ -61,6 +62,7 @@ def _outcome(log: WalkLog) -> dict[str, Any]:
         "fell": log.fell,
         "fall_time_s": log.duration if log.fell else None,
         "stands_at_end": stands_at_end(log),
+        "reference_limit": reach_limit(log),
         "stance_error_mm": 1000.0 * stance_error(log),
         "path_error_m": np.linalg.norm(log.com[-1, :2] - path[:2]),
         "heading_error_deg": np.degrees(abs(wrap_angle(yaw - path[2]))),

@@ -15,6 +15,7 @@ from surefoot._core import WalkController, WalkVelocity
 from surefoot.sim import Plant, Truth
 from surefoot.sim.lost_frames import lost_frames
 from surefoot.stand.log_recorder import LogRecorder, log_header
+from surefoot.stand.reference_request import body_references
 from surefoot.stand.simulation_loop import Progress, make_plant
 from surefoot.walk.settings import WalkSettings
 from surefoot.walk.slip import slip_velocities
@@ -25,6 +26,7 @@ _ARRAYS: dict[str, tuple[tuple[int, ...], type]] = {
     "com_velocity": ((3,), float),
     "slip_velocity": ((3, 4), float),
     "leg_contacts": ((), int),
+    "body_reference": ((3,), float),
     "commanded": ((3,), float),
     "reference": ((3,), float),
     "limit": ((), int),
@@ -69,6 +71,7 @@ def simulate_walk(
     controller.gait = settings.gait
     ticks = velocity_ticks(settings.velocities, settings.plant.control_rate)
     velocities = {k: request.velocity for k, request in ticks}
+    references = body_references(settings.references, settings.plant.control_rate)
     header = log_header(settings, plant)
     recorder = LogRecorder(settings.ticks, plant.robot.nq, plant.robot.nv, _ARRAYS)
     lost = lost_frames(settings.lost_frames, settings.plant.seed, settings.ticks)
@@ -77,6 +80,8 @@ def simulate_walk(
     touching: frozenset[tuple[str, str]] = frozenset()
     for k in range(settings.ticks):
         velocity = velocities.get(k, velocity)
+        if k in references:
+            controller.set_body_reference(references[k])
         controller.set_velocity(velocity)  # in every tick: a velocity times out
         received = received if lost[0, k] else state
         start = thread_time_ns()
@@ -103,8 +108,10 @@ def simulate_walk(
 
 
 def _walk_row(plant: Plant, truth: Truth, controller: WalkController) -> dict[str, Any]:
+    body = controller.body_reference
     return {
         "com_velocity": truth.com_velocity,
+        "body_reference": (body.height, body.roll, body.pitch),
         "slip_velocity": slip_velocities(plant),
         "commanded": _as_array(controller.commanded_velocity),
         "reference": _as_array(controller.reference_velocity),

@@ -8,7 +8,11 @@ from surefoot.reports.summary_field import Field
 from surefoot.stand.summary_fields import FIELDS as STAND_FIELDS
 
 _WALK_CONDITIONS = (
-    ("gait", "", "auto: stand at velocity 0, trot otherwise; trot"),
+    (
+        "gait",
+        "",
+        "auto: stand at velocity 0, trot otherwise; trot; walk: like auto, one foot at a time",
+    ),
     ("walking_sensors", "", "true: real sensors with the errors that walking adds"),
     ("soft_soles", "", "true: soft soles, false: rigid ones"),
     ("leg_collisions", "", "true: legs collide even where the SRDF disables it"),
@@ -31,6 +35,7 @@ _GROUPS: dict[str, tuple[Row, ...]] = {
             "",
             "last 0.5 s: no steps, four loaded feet, base slower than 0.05 m/s",
         ),
+        "reference_limit",
         (
             "stance_error_mm",
             "mm",
@@ -54,7 +59,17 @@ _GROUPS: dict[str, tuple[Row, ...]] = {
             "each axis has its worst command",
         ),
         ("velocity_rmse", "m/s, m/s, rad/s", "RMS of the same error"),
-        ("roll_pitch_rms_deg", "deg", "RMS of roll and of pitch relative to the ground plane"),
+        (
+            "roll_pitch_rms_deg",
+            "deg",
+            "RMS of roll and of pitch relative to the ground plane and the body reference",
+        ),
+        (
+            "three_feet_loaded",
+            "",
+            "share of the ticks with at least three feet that carry 5 % of the weight each; the "
+            "smallest of all commands",
+        ),
         (
             "cost_of_transport",
             "",
@@ -112,8 +127,8 @@ def _fields(group: str, rows: tuple[Row, ...]) -> tuple[Field, ...]:
 
 
 def _stand_fields(group: str) -> tuple[Field, ...]:
-    """Return the fields of a group that a stand has too; only a stand has references."""
-    return tuple(f for f in STAND_FIELDS if f.group == group and f.name != "references")
+    """Return the fields of a group that a stand has too."""
+    return tuple(f for f in STAND_FIELDS if f.group == group)
 
 
 FIELDS: tuple[Field, ...] = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from surefoot.stand.summary_text import conditions_line, push_line
+from surefoot.stand.summary_text import conditions_line, push_line, reference_line
 
 
 def outcome_sentence(s: dict[str, Any]) -> str:
@@ -53,6 +53,7 @@ def summary_text(s: dict[str, Any]) -> str:
     """Return a summary as text."""
     lines = [("run", walk_conditions_line(s))]
     lines += [("push", push_line(push)) for push in s["pushes"]]
+    lines += [("requested", reference_line(reference)) for reference in s["references"]]
     lines += [("velocity", command_line(command)) for command in s["commands"]]
     lines += [("body", text) for text in _body_text(s)]
     lines += [("end", _end_text(s)), ("feet", _feet_text(s)), ("effort", _effort_text(s))]
@@ -72,7 +73,9 @@ def _body_text(s: dict[str, Any]) -> list[str]:
         return []
     roll, pitch = s["roll_pitch_rms_deg"]
     torque = "unknown" if s["torque_hf_rms"] is None else f"{s['torque_hf_rms']:.2f} N.m"
-    return [f"RMS: roll {roll:.2f} deg, pitch {pitch:.2f} deg, torque above 30 Hz {torque}"]
+    text = f"RMS: roll {roll:.2f} deg, pitch {pitch:.2f} deg, torque above 30 Hz {torque}"
+    limit = s["reference_limit"]
+    return [text] if limit == "none" else [text, f"reference limited by {limit}"]
 
 
 def _end_text(s: dict[str, Any]) -> str:
@@ -88,8 +91,13 @@ def _feet_text(s: dict[str, Any]) -> str:
         return f"no steps, {contacts}"
     return (
         f"{s['steps']} steps, slip {s['slip_mm_per_step']:.2f} mm per step, touchdown up to "
-        f"{s['touchdown_force_mg']:.2f} m g, {contacts}"
+        f"{s['touchdown_force_mg']:.2f} m g, {_loaded_text(s)}{contacts}"
     )
+
+
+def _loaded_text(s: dict[str, Any]) -> str:
+    share = s["three_feet_loaded"]
+    return "" if share is None else f"three feet loaded in {100 * share:.1f} % of ticks, "
 
 
 def _effort_text(s: dict[str, Any]) -> str:

@@ -26,6 +26,8 @@ class WalkLog(SimulationLog):
             in world axes [m/s]. A foot that rolls has slip velocity 0.
         leg_contacts: (n,) number of pairs of a leg with another leg or the trunk that begin to
             touch in this tick.
+        body_reference: (n, 3) height [m], roll and pitch [rad] of the body reference, which moves
+            to the requested one.
         commanded: (n, 3) commanded velocity, clamped by the controller.
         reference: (n, 3) velocity of the reference, which approaches `commanded`.
         limit: (n,) surefoot.WalkLimit to which the command was clamped.
@@ -40,6 +42,7 @@ class WalkLog(SimulationLog):
     com_velocity: Array
     slip_velocity: Array
     leg_contacts: IntArray
+    body_reference: Array
     commanded: Array
     reference: Array
     limit: IntArray

@@ -106,6 +106,14 @@ struct Gains {
   double walk_speed_backward = 0.6;   ///< [sqrt(g h)] greatest commanded speed backward
   double walk_speed_sideways = 0.47;  ///< [sqrt(g h)] greatest commanded speed sideways
   double walk_turn_speed = 0.52;      ///< [sqrt(g/h)] greatest commanded yaw rate
+  // Gait walk: one foot swings at a time.
+  double walk_gait_period = 6.0;  ///< [sqrt(h/g)] gait_period of the gait walk
+  double walk_gait_duty = 0.8;    ///< [1] share of the period in which a foot stands, gait walk
+  /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk.
+  double walk_gait_margin = 0.17;
+  double walk_gait_swing_height = 0.2;  ///< [h] swing_height of the gait walk
+  double walk_gait_speed = 0.18;        ///< [sqrt(g h)] greatest commanded speed, gait walk
+  double walk_gait_turn_speed = 0.12;   ///< [sqrt(g/h)] greatest commanded yaw rate, gait walk
   // Estimator: noise, contact detection, external wrench.
   double noise_gyroscope = 0.01;      ///< [rad/s] gyroscope noise until it has been measured
   double noise_accelerometer = 0.1;   ///< [m/s^2] accelerometer noise until it has been measured

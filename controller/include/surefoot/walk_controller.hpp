@@ -19,10 +19,11 @@ struct WalkOptions {
 
 /// A StandController that also walks: LowState and a velocity in, LowCmd out.
 ///
-/// At velocity 0 it stands. At another velocity it trots: diagonal pairs of
-/// feet step in turn. While it trots, footholds follow the measured velocity, so its steps brake
-/// pushes. When the velocity is 0 again, it steps until its feet are in the nominal stance, and
-/// stands. With a lost leg it only stands.
+/// At velocity 0 it stands. At another velocity it trots, or with Gait::kWalk walks with three feet
+/// down. Footholds follow the measured velocity, so its steps brake pushes. Height, roll and pitch
+/// of set_body_reference() apply while it steps, relative to the standing pose. When the velocity
+/// is 0 again, it steps until its feet are in the nominal stance, and stands. With a lost leg it
+/// only stands.
 class WalkController : public StandController {
  public:
   /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the
@@ -37,8 +38,9 @@ class WalkController : public StandController {
 
   /// Command a velocity; call it more often than WalkOptions::velocity_timeout. The velocity is
   /// clamped to the gains walk_speed_forward, walk_speed_backward, walk_speed_sideways and
-  /// walk_turn_speed, and to what ControllerOptions::power_limit carries. A velocity with a NaN or
-  /// an infinity is ignored. velocity_limit() reports both. Real-time: yes.
+  /// walk_turn_speed, in the gait kWalk to walk_gait_speed and walk_gait_turn_speed, and to what
+  /// ControllerOptions::power_limit carries. A velocity with a NaN or an infinity is ignored.
+  /// velocity_limit() reports both. Real-time: yes.
   void set_velocity(const WalkVelocity& velocity) noexcept;
   WalkVelocity commanded_velocity() const noexcept;  ///< clamped; 0 after the timeout
   WalkVelocity reference_velocity() const noexcept;  ///< approaches commanded_velocity()

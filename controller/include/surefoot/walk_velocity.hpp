@@ -13,9 +13,9 @@ struct WalkVelocity {
 /// Limit to which a commanded velocity was clamped.
 enum class WalkLimit {
   kNone,      ///< no limit: the command is within reach
-  kForward,   ///< vx: gains walk_speed_forward and walk_speed_backward
-  kSideways,  ///< vy: gain walk_speed_sideways
-  kTurn,      ///< yaw_rate: gain walk_turn_speed
+  kForward,   ///< vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed
+  kSideways,  ///< vy: gain walk_speed_sideways; walk: walk_gait_speed
+  kTurn,      ///< yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed
   kPower,     ///< all: the power that ControllerOptions::power_limit allows
   kNotFinite  ///< the command has a NaN or an infinity; the previous one stays in force
 };
@@ -25,7 +25,8 @@ const char* to_string(WalkLimit limit) noexcept;
 /// What a WalkController does.
 enum class Gait {
   kAuto,  ///< stand at velocity 0, trot otherwise
-  kTrot   ///< trot, also at velocity 0
+  kTrot,  ///< trot, also at velocity 0
+  kWalk   ///< stand at velocity 0, walk otherwise: one foot steps at a time, three feet are down
 };
 /// Return the name of a gait, such as "trot". Real-time: yes.
 const char* to_string(Gait gait) noexcept;

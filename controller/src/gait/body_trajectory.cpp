@@ -31,8 +31,9 @@ void BodyTrajectory::start(const HorizontalMotion& measured, double height) noex
 }
 
 void BodyTrajectory::update(const Gains& gains, const WalkVelocity& command,
-                            const HorizontalMotion& measured, double dt) noexcept {
-  update_velocity(gains, command, dt);
+                            const HorizontalMotion& measured, double acceleration_share,
+                            double dt) noexcept {
+  update_velocity(gains, command, acceleration_share, dt);
   p_ += dt * v_;
   const Eigen::Vector2d ahead = p_ - measured.p_com;
   const double limit = kMaxDistance * size_.height;
@@ -44,31 +45,35 @@ void BodyTrajectory::update(const Gains& gains, const WalkVelocity& command,
 }
 
 void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& command,
-                                     double dt) noexcept {
+                                     double acceleration_share, double dt) noexcept {
   const Eigen::Vector2d last(velocity_.vx, velocity_.vy);
   const Eigen::Vector2d change = Eigen::Vector2d(command.vx, command.vy) - last;
-  const double step = gains.walk_acceleration * kGravity * dt;
+  const double step = acceleration_share * gains.walk_acceleration * kGravity * dt;
   const Eigen::Vector2d next = last + std::min(1.0, step / std::max(change.norm(), 1e-9)) * change;
-  const double turn_step = gains.walk_turn_acceleration * kGravity / size_.height * dt;
+  const double turn_step =
+      acceleration_share * gains.walk_turn_acceleration * kGravity / size_.height * dt;
   velocity_ = {next.x(), next.y(), approached(velocity_.yaw_rate, command.yaw_rate, turn_step)};
   const Eigen::Rotation2Dd R(yaw_);
   v_ = R * next;
   a_ = R * ((next - last) / dt) + velocity_.yaw_rate * Eigen::Vector2d(-v_.y(), v_.x());
 }
 
-void BodyTrajectory::write(const GroundPlane& ground, double ahead,
+void BodyTrajectory::write(const GroundPlane& ground, const BodySway& sway,
+                           const BodyMotion& offset, double ahead,
                            Reference& reference) const noexcept {
-  const Eigen::Vector2d p = p_ + ahead * v_;
+  const Eigen::Vector2d a = a_ + sway.a(), v = v_ + sway.v() + ahead * sway.a();
+  const Eigen::Vector2d p = p_ + sway.p() + ahead * (v_ + sway.v());
   const Vector3& n = ground.normal();
   const Eigen::Vector2d slope = -n.head<2>() / n.z();  // rise per distance
   reference.body_point = BodyPoint::kCenterOfMass;
-  reference.p_com << p, ground.smooth_height_at(p) + height_;
-  reference.v_com << v_, slope.dot(v_);
-  reference.a_com << a_, slope.dot(a_);
+  reference.p_com << p, ground.smooth_height_at(p) + height_ + offset.relative_pose().height;
+  reference.v_com << v, slope.dot(v) + offset.v_height();
+  reference.a_com << a, slope.dot(a);
   const Quaternion heading = exp_so3((yaw_ + ahead * velocity_.yaw_rate) * Vector3::UnitZ());
-  reference.R_world_base = Quaternion::FromTwoVectors(Vector3::UnitZ(), n) * heading;
-  reference.w_world_base = velocity_.yaw_rate * n;
-  reference.alpha_world_base.setZero();
+  const Quaternion R = Quaternion::FromTwoVectors(Vector3::UnitZ(), n) * heading;
+  reference.R_world_base = R * offset.R_base();
+  reference.w_world_base = velocity_.yaw_rate * n + R * offset.w_base();
+  reference.alpha_world_base = R * offset.alpha_base();
   reference.use_forces = false;
   reference.ground_normal = n;
 }

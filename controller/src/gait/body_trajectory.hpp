@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "gait/body_sway.hpp"
 #include "gait/gait_size.hpp"
 #include "gait/ground_plane.hpp"
+#include "reference/body_motion.hpp"
 #include "surefoot/gains.hpp"
 #include "surefoot/types.hpp"
 #include "surefoot/walk_velocity.hpp"
@@ -20,25 +22,32 @@ struct HorizontalMotion {
 /// Its velocity approaches the command with limited acceleration. Its position integrates the
 /// velocity, but stays near the measured body: after a push the robot does not rush back. The
 /// centre of mass stays at the height of the standing pose over the ground plane, along gravity;
-/// the base is parallel to the ground plane.
+/// the base is parallel to the ground plane, but for the offset that a BodyReference requests.
 class BodyTrajectory {
  public:
   explicit BodyTrajectory(const GaitSize& size) : size_(size) {}
 
   /// Begin at the measured state, at velocity 0.
   void start(const HorizontalMotion& measured, double height) noexcept;
+  /// @param acceleration_share share, 0 .. 1, of the gains walk_acceleration and
+  ///   walk_turn_acceleration that may be used
   void update(const Gains& gains, const WalkVelocity& command, const HorizontalMotion& measured,
-              double dt) noexcept;
+              double acceleration_share, double dt) noexcept;
   /// Write the body's part of the reference, `ahead` seconds later than this tick.
-  void write(const GroundPlane& ground, double ahead, Reference& reference) const noexcept;
+  /// @param offset height, roll and pitch of the body relative to those of the standing pose
+  void write(const GroundPlane& ground, const BodySway& sway, const BodyMotion& offset,
+             double ahead, Reference& reference) const noexcept;
 
+  /// Motion of the trajectory, without sway.
+  HorizontalMotion motion() const noexcept { return {p_, v_, yaw_}; }
   const WalkVelocity& velocity() const noexcept { return velocity_; }  ///< of the trajectory
   Eigen::Vector2d v_world() const noexcept { return v_; }              ///< [m/s]
   Eigen::Vector2d a_world() const noexcept { return a_; }              ///< [m/s^2]
   double yaw() const noexcept { return yaw_; }                         ///< [rad]
 
  private:
-  void update_velocity(const Gains& gains, const WalkVelocity& command, double dt) noexcept;
+  void update_velocity(const Gains& gains, const WalkVelocity& command, double acceleration_share,
+                       double dt) noexcept;
 
   GaitSize size_;
   WalkVelocity velocity_;

@@ -36,8 +36,9 @@ class FootContacts {
   bool lost(int leg) const noexcept { return lost_[leg]; }    ///< the ground was lost in this tick
   double load(int leg) const noexcept { return load_[leg]; }  ///< planned, 0 .. 1
   bool others_in_stance(int leg) const noexcept;              ///< all feet but that of `leg`
-  /// Return whether a foot that should carry load has not landed.
-  bool late(const GaitClock& clock) const noexcept;
+  /// Return whether a foot that should carry load has not landed, or has a smaller planned load
+  /// than `min_load`.
+  bool late(const GaitClock& clock, double min_load) const noexcept;
 
  private:
   FootPhase next_phase(int leg, const GaitClock& clock, double contact) noexcept;

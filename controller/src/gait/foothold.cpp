@@ -11,6 +11,20 @@ namespace {
 // [h] Largest distance of a foothold from its hip at touchdown. Chosen: the reach of the legs at
 // the standing height.
 constexpr double kMaxOffset = 0.83;
+// [h] Smallest distance of a planned foothold from the middle of the body, to its own side: 8 cm at
+// h = 0.3 m. Chosen: with less, the left and the right leg touch in a walk to the side. What brakes
+// a push may be nearer.
+constexpr double kMinSide = 0.27;
+
+// Return the planned place of a foot at touchdown in a steady walk, from the centre of mass, in
+// axes of the heading at mid-stance.
+Eigen::Vector2d planned_place(const GaitSize& size, int leg,
+                              const Eigen::Vector2d& travel) noexcept {
+  Eigen::Vector2d place = size.nominal_feet.col(leg).head<2>() + 0.5 * travel;
+  const double side = size.nominal_feet(1, leg) < 0.0 ? -1.0 : 1.0;
+  place.y() = side * std::max(side * place.y(), kMinSide * size.height);
+  return place;
+}
 
 }  // namespace
 
@@ -18,11 +32,14 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
                          const BodyTrajectory& body, int leg, double time_left,
                          double stance_time) noexcept {
   const double turn = body.velocity().yaw_rate * (time_left + 0.5 * stance_time);
-  const Eigen::Vector2d hip =
-      measured.p_com + time_left * measured.v_com +
-      Eigen::Rotation2Dd(body.yaw() + turn) * Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
+  const Eigen::Rotation2Dd R(body.yaw() + turn);
+  const Eigen::Vector2d hip = measured.p_com + time_left * measured.v_com +
+                              R * Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
+  const Eigen::Vector2d travel = R.inverse() * (stance_time * body.v_world());
+  const Eigen::Vector2d planned =
+      R * Eigen::Vector2d(planned_place(size, leg, travel) - size.nominal_feet.col(leg).head<2>());
   // While the body accelerates with a, the zero-moment point is a h / g behind the centre of mass.
-  Eigen::Vector2d offset = 0.5 * stance_time * body.v_world() +
+  Eigen::Vector2d offset = planned +
                            gains.foothold_feedback * size.time * (measured.v_com - body.v_world()) -
                            size.time * size.time * body.a_world();
   offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));

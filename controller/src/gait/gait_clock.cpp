@@ -38,6 +38,10 @@ double GaitClock::time_to_touchdown(int leg) const noexcept {
   return in_swing(leg) ? (1.0 - phase_of(leg)) * timing_.period : 0.0;
 }
 
+double GaitClock::time_since_touchdown(int leg) const noexcept {
+  return in_swing(leg) ? 0.0 : phase_of(leg) * timing_.period;
+}
+
 double GaitClock::time_to_liftoff(int leg) const noexcept {
   if (grounded_[leg] || waits_[leg]) return timing_.period;
   return std::max(timing_.duty - phase_of(leg), 0.0) * timing_.period;

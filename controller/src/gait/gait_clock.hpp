@@ -45,7 +45,8 @@ class GaitClock {
   }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
-  double time_to_touchdown(int leg) const noexcept;  ///< [s] 0 in stance
+  double time_to_touchdown(int leg) const noexcept;     ///< [s] 0 in stance
+  double time_since_touchdown(int leg) const noexcept;  ///< [s] 0 in swing
   double time_to_liftoff(
       int leg) const noexcept;  ///< [s] 0 in swing; a period if it skips its swing or waits
   const GaitTiming& timing() const noexcept { return timing_; }

@@ -11,6 +11,7 @@ GaitSize::GaitSize(const Robot& robot) {
   Dynamics standing(robot);
   standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
   nominal_feet = contact_points(standing).colwise() - standing.p_world_com();
+  nominal_base = standing.p_world_base() - standing.p_world_com();
   height = -nominal_feet.row(2).mean();
   corner_speed = robot.config().corner_speed[1];
   time = std::sqrt(height / kGravity);

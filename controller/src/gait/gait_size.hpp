@@ -12,6 +12,7 @@ struct GaitSize {
   explicit GaitSize(const Robot& robot);
 
   FeetMatrix nominal_feet;  ///< [m] from the centre of mass, standing pose, base axes
+  Vector3 nominal_base;     ///< [m] origin of the base from the centre of mass, base axes
   double height;            ///< [m] h: centre of mass above the feet, standing pose
   double corner_speed;      ///< [rad/s] of the thigh motors: RobotConfig::corner_speed
   double time;              ///< [s] sqrt(h / g), the time constant of the inverted pendulum

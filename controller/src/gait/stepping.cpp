@@ -7,6 +7,7 @@
 #include "gait/foothold.hpp"
 #include "gait/gait_timing.hpp"
 #include "gait/step_timing.hpp"
+#include "gait/sway_input.hpp"
 #include "reference/capture_margin.hpp"
 
 namespace surefoot {
@@ -26,6 +27,9 @@ constexpr double kSteadySpeed = 0.12;
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.045;
 constexpr double kStopSpeed = 0.03;
+// [walk_gait_speed] Speed below which a trot may change to a walk. Chosen: a little above the
+// greatest speed of a walk.
+constexpr double kWalkSpeed = 1.1;
 
 HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   const Matrix3& R = input.R_world_base;
@@ -47,33 +51,48 @@ int leg_to_swing(const PlannerInput& input) noexcept {
 
 }  // namespace
 
-void Stepping::start(const PlannerInput& input, const Vector3& ground_normal,
-                     bool step_at_once) noexcept {
-  at_rest_ = false;
-  if (step_at_once) {
-    clock_.start_swing(leg_to_swing(input));
-  } else {
-    clock_.start();
-  }
+void Stepping::start(const PlannerInput& input, const Vector3& ground_normal, bool walk,
+                     const WalkVelocity& command, double height_offset) noexcept {
+  begin(input, ground_normal, height_offset);
+  pattern_ = suitable_pattern(pattern_, input.gains, size_, walk, command);
+  clock_.start();
+}
+
+void Stepping::start_recovery(const PlannerInput& input, const Vector3& ground_normal,
+                              double height_offset) noexcept {
+  begin(input, ground_normal, height_offset);
+  pattern_.walk = false;
+  clock_.start_swing(leg_to_swing(input));
+}
+
+void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
+                     double height_offset) noexcept {
+  at_rest_ = changes_pattern_ = false;
   contacts_.start();
   stumble_.start();
   clearance_.start();
   ground_.start(input.p_feet, input.state.contact, ground_normal);
+  sway_.start();
   const Eigen::Vector2d p = input.p_com.head<2>();
-  body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p));
+  body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p) - height_offset);
   footholds_ = input.p_feet;
 }
 
-void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
-                    Reference& reference) noexcept {
-  const HorizontalMotion measured = measured_motion(input);
-  at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input));
+void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
+                    const BodyMotion& offset, bool may_stop, Reference& reference) noexcept {
+  const HorizontalMotion measured = motion_without_sway(input);
+  at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input, measured));
   const Eigen::Vector4d contact = judge_contacts(input);
+  update_pattern(input.gains, walk, command);
   update_clock(input, measured);
   contacts_.update(clock_, contact, stumble_.lifting(), input.dt);
   update_ground(input);
-  body_.update(input.gains, command, measured, input.dt);
-  body_.write(ground_, input.delay, reference);
+  body_.update(input.gains, command, measured,
+               acceleration_share(pattern_, input.gains, size_, command, body_.velocity()),
+               input.dt);
+  sway_.update(sway_input({pattern_, size_, clock_, contacts_, body_, footholds_}, input),
+               input.dt);
+  body_.write(ground_, sway_, offset, input.delay, reference);
   // For those who compare base and reference: the QP moves the centre of mass.
   reference.p_base = reference.p_com + input.state.q.head<3>() - input.p_com;
   reference.v_base = reference.v_com;
@@ -84,17 +103,36 @@ void Stepping::plan(const PlannerInput& input, const WalkVelocity& command, bool
   }
 }
 
+HorizontalMotion Stepping::motion_without_sway(const PlannerInput& input) const noexcept {
+  HorizontalMotion motion = measured_motion(input);
+  motion.p_com -= sway_.p();
+  motion.v_com -= sway_.v();
+  return motion;
+}
+
+// Change the pattern when all feet stand. A trot becomes a walk only at a speed at which a walk can
+// go on.
+void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept {
+  const StepPattern pattern = suitable_pattern(pattern_, gains, size_, walk, command);
+  const double limit = kWalkSpeed * gains.walk_gait_speed * size_.speed;
+  changes_pattern_ = !(pattern == pattern_) && (!walk || body_.v_world().norm() <= limit);
+  if (!changes_pattern_ || !contacts_.others_in_stance(-1)) return;
+  pattern_ = pattern;
+  changes_pattern_ = false;
+  clock_.start();
+}
+
 void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
-  GaitTiming timing = trot_timing(input.gains, size_, body_.velocity());
+  GaitTiming timing = gait_timing(pattern_, input.gains, size_, body_.velocity());
   timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
-  clock_.advance(timing, longest_wait(), at_rest_, input.dt);
+  clock_.advance(timing, longest_wait(), at_rest_ || changes_pattern_, input.dt);
 }
 
 // Return the contact confidences, but 0 of a swing foot that hits an obstacle. After a push feet
 // lag behind their references without an obstacle, so none is judged.
 Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
   Eigen::Vector4d contact = input.state.contact;
-  const double error = (input.v_com.head<2>() - body_.v_world()).norm();
+  const double error = (motion_without_sway(input).v_com - body_.v_world()).norm();
   const bool steady = error < kSteadySpeed * size_.speed;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!steady || contacts_.phase(leg) != FootPhase::kSwing) {
@@ -118,7 +156,9 @@ Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
 
 double Stepping::longest_wait() const noexcept {
   if (stumble_.any()) return stumble_.longest_time();
-  return contacts_.late(clock_) ? kMaxWait * clock_.timing().period : 0.0;
+  // A walk lifts a foot only when the other three carry their full load.
+  return contacts_.late(clock_, pattern_.walk ? 1.0 : 0.0) ? kMaxWait * clock_.timing().period
+                                                           : 0.0;
 }
 
 void Stepping::update_ground(const PlannerInput& input) noexcept {
@@ -146,8 +186,9 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   footholds_.col(leg) << xy, ground_.height_at(xy);
   Vector3 target = footholds_.col(leg);
   if (lifting && stumble_.rises(leg)) target.head<2>() = stumble_.p_start(leg).head<2>();
-  const double height =
-      lifting ? stumble_.height() : input.gains.swing_height * size_.height + clearance_.extra();
+  const double planned =
+      pattern_.walk ? input.gains.walk_gait_swing_height : input.gains.swing_height;
+  const double height = lifting ? stumble_.height() : planned * size_.height + clearance_.extra();
   swing.update({height, input.gains.swing_landing_speed * size_.speed}, target,
                lifting ? stumble_.progress(leg) : clock_.swing_progress(leg),
                lifting ? stumble_.time() : clock_.timing().swing_time(), time_left, input.dt);
@@ -172,13 +213,14 @@ void Stepping::write_foot(int leg, const PlannerInput& input, FootReference& foo
 }
 
 // The body is at rest, and all feet are near their nominal positions.
-bool Stepping::is_at_rest(const PlannerInput& input) const noexcept {
-  if (input.v_com.head<2>().norm() > kStopSpeed * size_.speed) return false;
+bool Stepping::is_at_rest(const PlannerInput& input,
+                          const HorizontalMotion& measured) const noexcept {
+  if (measured.v_com.norm() > kStopSpeed * size_.speed) return false;
   if (body_.velocity().yaw_rate != 0.0 || !body_.v_world().isZero()) return false;
   const Eigen::Rotation2Dd R(body_.yaw());
   for (int leg = 0; leg < kLegs; ++leg) {
     const Eigen::Vector2d nominal = size_.nominal_feet.col(leg).head<2>();
-    const Eigen::Vector2d offset = (input.p_feet.col(leg) - input.p_com).head<2>() - R * nominal;
+    const Eigen::Vector2d offset = input.p_feet.col(leg).head<2>() - measured.p_com - R * nominal;
     if (offset.norm() > kStopDistance * size_.height) return false;
   }
   return true;

@@ -5,6 +5,7 @@
 #include "gait/foot_contacts.hpp"
 #include "gait/gait_clock.hpp"
 #include "gait/ground_plane.hpp"
+#include "gait/step_pattern.hpp"
 #include "gait/stumble.hpp"
 #include "gait/swing_clearance.hpp"
 #include "gait/swing_trajectory.hpp"
@@ -17,23 +18,30 @@ namespace surefoot {
 class Stepping {
  public:
   explicit Stepping(const GaitSize& size)
-      : size_(size), stumble_(size), clearance_(size), body_(size) {}
+      : size_(size), stumble_(size), clearance_(size), body_(size), sway_(size) {}
 
   /// Begin at the measured state: all feet stand.
-  /// @param step_at_once true: a pair of feet lifts off at once, else after the time of a stance
   /// @param ground_normal of the ground under the stand, unit length
-  void start(const PlannerInput& input, const Vector3& ground_normal, bool step_at_once) noexcept;
+  /// @param walk whether the robot walks with three feet down; false: it trots
+  /// @param height_offset height of the body above that of the standing pose [m]
+  void start(const PlannerInput& input, const Vector3& ground_normal, bool walk,
+             const WalkVelocity& command, double height_offset) noexcept;
+  /// Begin at the measured state with a trot whose first pair lifts off at once.
+  void start_recovery(const PlannerInput& input, const Vector3& ground_normal,
+                      double height_offset) noexcept;
+  /// @param walk like that of start(). A change is in force when all feet stand the next time
+  /// @param offset height, roll and pitch of the body relative to those of the standing pose
   /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
-  /// stance,
-  ///   or a leg is lost
-  void plan(const PlannerInput& input, const WalkVelocity& command, bool may_stop,
-            Reference& reference) noexcept;
+  ///   stance, or a leg is lost
+  void plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
+            const BodyMotion& offset, bool may_stop, Reference& reference) noexcept;
 
   /// Return whether the robot has stopped: no foot need lift off, and all feet stand, except that
   /// of a lost leg.
   /// @param lost_leg 0 .. 3, or -1
   bool has_stopped(int lost_leg) const noexcept {
-    return at_rest_ && contacts_.others_in_stance(lost_leg);
+    return at_rest_ && contacts_.others_in_stance(lost_leg) &&
+           (lost_leg >= 0 || sway_.is_at_rest());
   }
 
   const GaitSize& size() const noexcept { return size_; }
@@ -41,10 +49,15 @@ class Stepping {
   const FootContacts& contacts() const noexcept { return contacts_; }
   const GaitClock& clock() const noexcept { return clock_; }
   const BodyTrajectory& body() const noexcept { return body_; }
+  const BodySway& sway() const noexcept { return sway_; }
 
  private:
+  void begin(const PlannerInput& input, const Vector3& ground_normal,
+             double height_offset) noexcept;
   void update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
-  bool is_at_rest(const PlannerInput& input) const noexcept;
+  HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
+  void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
+  bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
   Eigen::Vector4d judge_contacts(const PlannerInput& input) noexcept;
   double longest_wait() const noexcept;  // [s] of the clock
   void update_ground(const PlannerInput& input) noexcept;
@@ -58,6 +71,9 @@ class Stepping {
   SwingClearance clearance_;
   GroundPlane ground_;
   BodyTrajectory body_;
+  BodySway sway_;
+  StepPattern pattern_;
+  bool changes_pattern_ = false;  // no foot lifts off until the pattern has changed
   std::array<SwingTrajectory, kLegs> swings_;
   bool at_rest_ = false;  // no foot need lift off
   FeetMatrix footholds_ = FeetMatrix::Zero();

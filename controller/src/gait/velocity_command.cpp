@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noexcept {
+void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept {
   if (!std::isfinite(velocity.vx) || !std::isfinite(velocity.vy) ||
       !std::isfinite(velocity.yaw_rate)) {
     limit_ = WalkLimit::kNotFinite;
@@ -20,12 +20,14 @@ void VelocityCommand::set(const Gains& gains, const WalkVelocity& velocity) noex
     if (value < low || value > high) limit_ = limit;
     return std::clamp(value, low, high);
   };
-  const double sideways = gains.walk_speed_sideways * size_.speed;
-  const double turn = gains.walk_turn_speed / size_.time;
+  const bool walk = gait == Gait::kWalk;
+  const double sideways = (walk ? gains.walk_gait_speed : gains.walk_speed_sideways) * size_.speed;
+  const double turn = (walk ? gains.walk_gait_turn_speed : gains.walk_turn_speed) / size_.time;
   velocity_.yaw_rate = clamp(velocity.yaw_rate, -turn, turn, WalkLimit::kTurn);
   velocity_.vy = clamp(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
-  velocity_.vx = clamp(velocity.vx, -gains.walk_speed_backward * size_.speed,
-                       gains.walk_speed_forward * size_.speed, WalkLimit::kForward);
+  const double forward = (walk ? gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
+  const double backward = (walk ? gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
+  velocity_.vx = clamp(velocity.vx, -backward, forward, WalkLimit::kForward);
   const double factor = power_factor(gains, size_, power_limit_, velocity_);
   if (factor == 1.0) return;
   limit_ = WalkLimit::kPower;

@@ -17,7 +17,9 @@ class VelocityCommand {
   VelocityCommand(const GaitSize& size, double timeout, double power_limit)
       : size_(size), timeout_(timeout), power_limit_(power_limit) {}
 
-  void set(const Gains& gains, const WalkVelocity& velocity) noexcept;
+  /// Set the velocity, clamped to the limits of the gait. A velocity with a NaN or an infinity
+  /// changes nothing.
+  void set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept;
   void advance(double dt) noexcept;
   void reset() noexcept;
 

@@ -39,7 +39,7 @@ WalkPlanner::WalkPlanner(const Robot& robot, const GaitSize& size, double veloci
       stepping_(size) {}
 
 void WalkPlanner::reset() noexcept {
-  walking_ = false;
+  walking_ = recovering_ = false;
   time_ = airborne_time_ = carried_time_ = lost_time_ = 0.0;
   command_.reset();
   stand_.reset();
@@ -55,14 +55,28 @@ bool WalkPlanner::plan(const PlannerInput& input, Reference& reference) noexcept
     return plan_stand(input, reference);
   }
   if (walking_ && !walk && (must_stand() || stepping_.has_stopped(input.lost_leg))) {
-    walking_ = false;
-    stand_.reset();  // it latches the pose in which the walk ends
+    walking_ = recovering_ = false;
+    stand_.latch_again();  // the pose in which the walk ends
     return plan_stand(input, reference);
   }
-  if (!walking_) stepping_.start(input, reference.ground_normal, recover);
+  recovering_ = !walk && (recovering_ || recover);
+  const bool walk_gait = gait_ == Gait::kWalk && !recovering_;
+  if (!walking_) start_walk(input, reference.ground_normal, recover, walk_gait);
+  const GaitSize& size = stepping_.size();
+  stand_.move_while_walking(input, size.nominal_feet, size.nominal_base);
   walking_ = true;
-  stepping_.plan(input, command_.velocity(), !walk, reference);
+  stepping_.plan(input, walk_gait, command_.velocity(), stand_.motion(), !walk, reference);
   return true;
+}
+
+void WalkPlanner::start_walk(const PlannerInput& input, const Vector3& ground_normal, bool recover,
+                             bool walk_gait) noexcept {
+  const double height = stand_.motion().relative_pose().height;
+  if (recover) {
+    stepping_.start_recovery(input, ground_normal, height);
+  } else {
+    stepping_.start(input, ground_normal, walk_gait, command_.velocity(), height);
+  }
 }
 
 void WalkPlanner::update_times(const PlannerInput& input) noexcept {

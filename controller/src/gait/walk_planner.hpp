@@ -22,7 +22,7 @@ class WalkPlanner : public Planner {
                        double power_limit = std::numeric_limits<double>::infinity());
 
   void set_velocity(const Gains& gains, const WalkVelocity& velocity) noexcept {
-    command_.set(gains, velocity);
+    command_.set(gains, gait_, velocity);
   }
   void set_gait(Gait gait) noexcept { gait_ = gait; }
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
@@ -42,6 +42,8 @@ class WalkPlanner : public Planner {
  private:
   WalkPlanner(const Robot& robot, const GaitSize& size, double velocity_timeout,
               double power_limit);
+  void start_walk(const PlannerInput& input, const Vector3& ground_normal, bool recover,
+                  bool walk_gait) noexcept;
   void update_times(const PlannerInput& input) noexcept;
   bool wants_to_walk(const PlannerInput& input) const noexcept;
   bool must_step(const PlannerInput& input) const noexcept;
@@ -51,6 +53,7 @@ class WalkPlanner : public Planner {
   bool can_walk_;
   Gait gait_ = Gait::kAuto;
   bool walking_ = false;
+  bool recovering_ = false;     // the robot trots because of a push, not of a command
   double time_ = 0.0;           // [s] since reset()
   double airborne_time_ = 0.0;  // [s] for which no foot has been in contact
   double carried_time_ = 0.0;   // [s] for which at most one foot has not been in contact

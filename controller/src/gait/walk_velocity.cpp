@@ -27,6 +27,8 @@ const char* to_string(Gait gait) noexcept {
       return "auto";
     case Gait::kTrot:
       return "trot";
+    case Gait::kWalk:
+      return "walk";
   }
   return "unknown";
 }

@@ -34,13 +34,25 @@ Vector6 to_vector(const BodyReference& r) noexcept {
 
 void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
                        const Eigen::VectorXd& q) noexcept {
-  latched_ = pose;
+  relative_pose_.setZero();
+  latch_moved(pose, p_com, q);
+}
+
+void BodyMotion::latch_moved(const LatchedPose& origin, const Vector3& p_com,
+                             const Eigen::VectorXd& q) noexcept {
+  latched_ = origin;
   p_com_ = p_com;
   reach_check_.set_initial_guess(q);
-  relative_pose_.setZero();
+  relative_pose_[0] = relative_pose_[1] = relative_pose_[5] = 0.0;
   just_latched_ = true;
   evaluated_feet_.setConstant(kMaxTarget);  // forces an evaluation of the pose in the next update()
   stop();
+}
+
+LatchedPose BodyMotion::origin_of(const LatchedPose& pose) const noexcept {
+  const Quaternion offset =
+      exp_so3(relative_pose_[4] * Vector3::UnitY()) * exp_so3(relative_pose_[3] * Vector3::UnitX());
+  return {pose.p_base - relative_pose_[2] * Vector3::UnitZ(), offset.conjugate() * pose.R_base};
 }
 
 void BodyMotion::reset() noexcept {
@@ -58,6 +70,12 @@ void BodyMotion::stop() noexcept {
   limit_ = {};
 }
 
+Vector6 BodyMotion::target() const noexcept {
+  Vector6 target = target_;
+  if (walking_) target[0] = target[1] = target[5] = 0.0;
+  return target;
+}
+
 void BodyMotion::set_target(const BodyReference& target) noexcept {
   const Vector6 desired = to_vector(target);
   request_rejected_ = !desired.allFinite();
@@ -67,7 +85,7 @@ void BodyMotion::set_target(const BodyReference& target) noexcept {
 
 void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                         double dt) noexcept {
-  const bool at_target = (target_ - relative_pose_).cwiseAbs().maxCoeff() < kTargetTolerance &&
+  const bool at_target = (target() - relative_pose_).cwiseAbs().maxCoeff() < kTargetTolerance &&
                          velocity_.cwiseAbs().maxCoeff() < kTargetTolerance;
   if (at_target) stop();
   if (at_target && (feet - evaluated_feet_).cwiseAbs().maxCoeff() < kFootTolerance) return;
@@ -130,7 +148,7 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
   const ReachStatus reason = limit_;
   Vector6 relative_pose = relative_pose_;
   relative_pose[axis_] +=
-      std::clamp(target_[axis_] - relative_pose_[axis_], -kProbeStep, kProbeStep);
+      std::clamp(target()[axis_] - relative_pose_[axis_], -kProbeStep, kProbeStep);
   blocked_[axis_] = !check_pose(gains, relative_pose, feet, gravity);
   // Clear the limit when no axis has been blocked for kLimitHoldTime.
   unblocked_time_ = blocked_[axis_] ? 0.0 : unblocked_time_ + dt;
@@ -140,7 +158,7 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
 // Compute the velocity along a straight line to the target, with zero on blocked axes. The speed is
 // limited to the speed gains, and to the speed from which the body can still stop at the target.
 Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
-  Vector6 to_target = target_ - relative_pose_;
+  Vector6 to_target = target() - relative_pose_;
   for (int axis = 0; axis < 6; ++axis) {
     if (blocked_[axis]) to_target[axis] = 0.0;
   }

@@ -28,6 +28,16 @@ class BodyMotion {
   /// @param q configuration at the latch, shape (nq,); initial guess of the inverse kinematics
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
 
+  /// Start at rest at the present height, roll and pitch relative to `origin`, the latched pose
+  /// from now on; x, y and yaw become 0. The other parameters are those of latch().
+  void latch_moved(const LatchedPose& origin, const Vector3& p_com,
+                   const Eigen::VectorXd& q) noexcept;
+  /// Return the latched pose from which the present height, roll and pitch lead to `pose`.
+  LatchedPose origin_of(const LatchedPose& pose) const noexcept;
+
+  /// Move only height, roll and pitch to the target (true), or all coordinates (false).
+  void set_walking(bool walking) noexcept { walking_ = walking; }
+
   /// Set the pose and the target to the latched pose at once. p_com() keeps its value until the
   /// next latch() or update().
   void reset() noexcept;
@@ -52,15 +62,17 @@ class BodyMotion {
   // The present pose and its derivatives, in the support frame:
   Vector3 p_base() const noexcept;  ///< [m]
   Quaternion R_base() const noexcept;
-  const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] centre of mass in this pose
-  const Vector3& v_com() const noexcept { return v_com_; }  ///< [m/s]
-  Vector3 w_base() const noexcept;                          ///< [rad/s]
+  const Vector3& p_com() const noexcept { return p_com_; }   ///< [m] centre of mass in this pose
+  const Vector3& v_com() const noexcept { return v_com_; }   ///< [m/s]
+  double v_height() const noexcept { return velocity_[2]; }  ///< [m/s]
+  Vector3 w_base() const noexcept;                           ///< [rad/s]
   /// [rad/s^2] Angular acceleration, from the second derivatives of roll, pitch and yaw. Products
   /// of their rates are neglected.
   Vector3 alpha_base() const noexcept;
 
  private:
   void stop() noexcept;
+  Vector6 target() const noexcept;
   void evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                              const Vector3& gravity) noexcept;
   bool at_limit() const noexcept { return limit_.limit != ReachLimit::kNone; }
@@ -78,6 +90,7 @@ class BodyMotion {
   LatchedPose latched_;
   // Poses relative to the latched pose: x, y, height [m]; roll, pitch, yaw [rad]. velocity_ and
   // acceleration_ are the derivatives of relative_pose_.
+  bool walking_ = false;  // x, y and yaw stay
   Vector6 target_ = Vector6::Zero(), relative_pose_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
   // com_offset_: added to the centre of mass of the inverse kinematics (see

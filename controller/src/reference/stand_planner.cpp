@@ -23,6 +23,11 @@ constexpr int kPoseLatches = 3;
 
 void StandPlanner::reset() noexcept {
   motion_.reset();
+  walking_ = false;
+  latch_again();
+}
+
+void StandPlanner::latch_again() noexcept {
   three_leg_stance_.reset();
   airborne_share_ = 0.0;
   pose_latches_ = 0;
@@ -58,7 +63,27 @@ void StandPlanner::latch(const PlannerInput& input) noexcept {
   const Matrix3 R = support_.R_world_support().transpose();  // from world to support axes
   const LatchedPose pose{R * (input.dynamics.p_world_base() - support_.origin()),
                          Quaternion(Matrix3(R * input.R_world_base))};
-  motion_.latch(pose, R * (input.p_com - support_.origin()), input.state.q);
+  const Vector3 p_com = R * (input.p_com - support_.origin());
+  motion_.set_walking(false);
+  if (walking_) {
+    motion_.latch_moved(motion_.origin_of(pose), p_com, input.state.q);
+  } else {
+    motion_.latch(pose, p_com, input.state.q);
+  }
+}
+
+void StandPlanner::move_while_walking(const PlannerInput& input, const FeetMatrix& p_feet,
+                                      const Vector3& p_base) noexcept {
+  // The support frame of the nominal stance: the feet are at z = 0, the base is level.
+  const Vector3 p_com = -p_feet.row(2).mean() * Vector3::UnitZ();
+  if (pose_latches_ > 0 || !walking_) {
+    motion_.latch_moved({p_com + p_base, Quaternion::Identity()}, p_com, input.state.q);
+    motion_.set_walking(true);
+    walking_ = true;
+    pose_latches_ = 0;
+  }
+  const Vector3 gravity = -(motion_.R_base() * input.R_world_base.row(2).transpose());
+  motion_.update(input.gains, p_feet.colwise() + p_com, gravity, input.dt);
 }
 
 // Update the rolling of the feet and the support frame.

@@ -27,6 +27,14 @@ class StandPlanner : public Planner {
 
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
   void reset() noexcept override;
+  /// Stop standing: latch the pose of the next plan() again. The height, roll and pitch that were
+  /// requested last stay.
+  void latch_again() noexcept;
+  /// Move height, roll and pitch of a walking robot, relative to the nominal stance, see motion().
+  /// @param p_feet contact points FR FL RR RL of the nominal stance, from the centre of mass [m]
+  /// @param p_base origin of the base, from the centre of mass [m]
+  void move_while_walking(const PlannerInput& input, const FeetMatrix& p_feet,
+                          const Vector3& p_base) noexcept;
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
   /// Return whether a pose is latched.
@@ -46,6 +54,7 @@ class StandPlanner : public Planner {
   // 0: at least one foot is in contact. Near 1: all feet have been in the air for much longer than
   // kAirborneTime. Each tick moves the support frame towards the body by this share.
   double airborne_share_ = 0.0;
+  bool walking_ = false;  // since the pose was latched
   int pose_latches_ = 0;  // number of calls of plan() that have latched the pose
 };
 

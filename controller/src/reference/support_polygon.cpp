@@ -2,6 +2,7 @@
 #include "reference/support_polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace surefoot {
@@ -10,6 +11,10 @@ namespace {
 
 // Legs in counter-clockwise order, seen from above.
 constexpr int kCounterClockwise[kLegs] = {FR_, FL_, RL_, RR_};
+// nearest_inside(): number of margins that are tried. Numerical: after five halvings the rest is
+// millimetres.
+constexpr int kHalvings = 6;
+constexpr double kTolerance = 1e-9;  // [m] numerical
 
 }  // namespace
 
@@ -32,6 +37,37 @@ double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
   double margin = std::numeric_limits<double>::infinity();
   for (int k = 0; k < count_; ++k) margin = std::min(margin, edge(k, point).margin);
   return margin;
+}
+
+// Return the corner k of the polygon whose edges are moved inwards by `margin`.
+Eigen::Vector2d SupportPolygon::inset_corner(int k, double margin) const noexcept {
+  const Eigen::Vector2d a = edge((k + count_ - 1) % count_, corners_[k]).outward;
+  const Eigen::Vector2d b = edge(k, corners_[k]).outward;
+  // Both edges keep the margin: a . d = b . d = -margin.
+  return corners_[k] - margin / std::max(1.0 + a.dot(b), 1e-3) * (a + b);
+}
+
+Eigen::Vector2d SupportPolygon::nearest_inside(const Eigen::Vector2d& point,
+                                               double margin) const noexcept {
+  if (!is_valid() || this->margin(point) >= margin) return point;
+  for (int halving = 0; halving < kHalvings; ++halving, margin *= 0.5) {
+    double min_distance = std::numeric_limits<double>::infinity();
+    Eigen::Vector2d nearest = point;
+    for (int k = 0; k < count_; ++k) {
+      // The nearest point of an edge of the inset polygon, which is a side of that polygon only if
+      // its ends keep the margin too.
+      const Eigen::Vector2d from = inset_corner(k, margin);
+      const Eigen::Vector2d along = inset_corner((k + 1) % count_, margin) - from;
+      const double share = (point - from).dot(along) / std::max(along.squaredNorm(), 1e-12);
+      const Eigen::Vector2d candidate = from + std::clamp(share, 0.0, 1.0) * along;
+      const double distance = (candidate - point).norm();
+      if (distance >= min_distance || this->margin(candidate) < margin - kTolerance) continue;
+      min_distance = distance;
+      nearest = candidate;
+    }
+    if (std::isfinite(min_distance)) return nearest;
+  }
+  return point;
 }
 
 }  // namespace surefoot

@@ -30,7 +30,14 @@ class SupportPolygon {
   /// is_valid() is false, return 0.
   double margin(const Eigen::Vector2d& point) const noexcept;
 
+  /// Compute the nearest point to `point` whose margin is at least `margin` [m]. If the polygon is
+  /// too narrow for this margin, the largest of its halves, quarters ... that fits counts. If
+  /// is_valid() is false, return `point`.
+  Eigen::Vector2d nearest_inside(const Eigen::Vector2d& point, double margin) const noexcept;
+
  private:
+  Eigen::Vector2d inset_corner(int k, double margin) const noexcept;
+
   std::array<Eigen::Vector2d, kLegs> corners_;
   int count_ = 0;
 };

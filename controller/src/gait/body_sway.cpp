@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gait/body_sway.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/support_polygon.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// Samples of the preview, and their distance [sqrt(h/g)]. The preview is 4 sqrt(h/g) long: what
+// comes later changes the DCM by exp(-4) = 2 %.
+constexpr int kSamples = 40;
+constexpr double kSampleTime = 0.1;
+// Feedback of the DCM error to the ZMP, beyond the 1 that keeps the error constant. Chosen: the
+// error falls with the time constant sqrt(h/g).
+constexpr double kFeedback = 1.0;
+// Share of the margin that the ZMP keeps while the feedback moves it. Chosen.
+constexpr double kFeedbackMargin = 0.5;
+// is_at_rest(): [h] largest distance of the DCM from the body trajectory, 3 mm at h = 0.3 m.
+constexpr double kRestDistance = 0.01;
+
+// Return the share, 0 .. 1, of the support triangle without this foot in the planned ZMP.
+double swing_share(const NextSwing& swing, double time, double shift_time) noexcept {
+  const double ramp = std::max(shift_time, 1e-6);
+  double outside = 0.0;  // [s] time until or since the nearest swing
+  if (time < swing.begin) {
+    outside = swing.begin - time;
+    if (swing.begin > 0.0) outside = std::min(outside, swing.landed + time);
+  } else if (time > swing.end) {
+    outside = time - swing.end;
+  }
+  return std::max(1.0 - outside / ramp, 0.0);
+}
+
+}  // namespace
+
+void BodySway::update(const Input& input, double dt) noexcept {
+  const double omega = 1.0 / size_.time;
+  // Integrate the DCM backwards over the preview: dxi/dt = omega (xi - zmp).
+  const double kept = std::exp(-kSampleTime);
+  const double step = kSampleTime * size_.time;
+  Eigen::Vector2d planned_dcm = planned_zmp(input, kSamples * step);
+  for (int k = kSamples - 1; k >= 0; --k) {
+    planned_dcm = kept * planned_dcm + (1.0 - kept) * planned_zmp(input, (k + 0.5) * step);
+  }
+  const Eigen::Vector2d error = p_ + v_ / omega - planned_dcm;
+  Eigen::Vector2d zmp = planned_zmp(input, 0.0) + (1.0 + kFeedback) * error;
+  const SupportPolygon support = [&] {
+    FeetMatrix feet = FeetMatrix::Zero();
+    for (int leg = 0; leg < kLegs; ++leg) feet.col(leg).head<2>() = input.swings[leg].from;
+    return SupportPolygon(feet, input.stance);
+  }();
+  if (support.is_valid()) {
+    const Eigen::Vector2d base = input.p - input.a / (omega * omega);
+    zmp = support.nearest_inside(base + zmp, kFeedbackMargin * input.margin) - base;
+  }
+  a_ = omega * omega * (p_ - zmp);
+  p_ += dt * (v_ + 0.5 * dt * a_);
+  v_ += dt * a_;
+}
+
+// Return the planned ZMP relative to that of the body trajectory.
+Eigen::Vector2d BodySway::planned_zmp(const Input& input, double time) const noexcept {
+  const Eigen::Vector2d base = input.p + time * input.v - size_.time * size_.time * input.a;
+  FeetMatrix feet = FeetMatrix::Zero();
+  std::array<double, kLegs> share;
+  double sum = 0.0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const NextSwing& swing = input.swings[leg];
+    feet.col(leg).head<2>() = time < swing.begin ? swing.from : swing.to;
+    share[leg] = swing_share(swing, time, input.shift_time);
+    sum += share[leg];
+  }
+  Eigen::Vector2d zmp = Eigen::Vector2d::Zero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (share[leg] == 0.0) continue;
+    std::array<bool, kLegs> others = {true, true, true, true};
+    others[leg] = false;
+    const SupportPolygon triangle(feet, others);
+    zmp += share[leg] / std::max(sum, 1.0) * (triangle.nearest_inside(base, input.margin) - base);
+  }
+  return zmp;
+}
+
+bool BodySway::is_at_rest() const noexcept {
+  return (p_ + size_.time * v_).norm() < kRestDistance * size_.height &&
+         p_.norm() < kRestDistance * size_.height;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "gait/gait_size.hpp"
+
+namespace surefoot {
+
+/// The next swing of a foot, as planned. Times are from now on [s], positions in the world [m].
+struct NextSwing {
+  double begin;          ///< lift-off; 0 while the foot swings
+  double end;            ///< touchdown
+  double landed;         ///< time since the last touchdown; 0 while the foot swings
+  Eigen::Vector2d from;  ///< where the foot stands now, or lifted off
+  Eigen::Vector2d to;    ///< where it will land
+};
+
+/// Sway of the body: the displacement of the centre of mass from the body trajectory that keeps the
+/// zero-moment point (ZMP) inside the support triangles while single feet swing. Real-time: yes.
+///
+/// The planned ZMP is the point nearest to that of the body trajectory which is a margin inside the
+/// support triangle; between two swings it moves linearly. The sway is the motion of the linear
+/// inverted pendulum for the planned ZMP over the preview: its divergent component (DCM) is the
+/// solution that stays bounded. Source: Englsberger, Ott, Albu-Schaeffer 2015 (DCM planning).
+class BodySway {
+ public:
+  /// Motion of the body trajectory, without sway, and what its ZMP may do.
+  struct Input {
+    Eigen::Vector2d p, v, a;  ///< body trajectory, world [m], [m/s], [m/s^2]
+    std::array<NextSwing, kLegs> swings;
+    std::array<bool, kLegs> stance;  ///< feet that carry load now
+    double shift_time;               ///< [s] time before and after a swing in which the ZMP moves
+    double margin;                   ///< [m] distance of the ZMP from support edges
+  };
+
+  explicit BodySway(const GaitSize& size) : size_(size) {}
+  void start() noexcept { p_.setZero(), v_.setZero(), a_.setZero(); }
+  void update(const Input& input, double dt) noexcept;
+  bool is_at_rest() const noexcept;
+
+  const Eigen::Vector2d& p() const noexcept { return p_; }  ///< [m] displacement, world axes
+  const Eigen::Vector2d& v() const noexcept { return v_; }  ///< [m/s]
+  const Eigen::Vector2d& a() const noexcept { return a_; }  ///< [m/s^2]
+
+ private:
+  Eigen::Vector2d planned_zmp(const Input& input, double time) const noexcept;
+
+  GaitSize size_;
+  Eigen::Vector2d p_ = Eigen::Vector2d::Zero(), v_ = p_, a_ = p_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planned_walk.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+// The gait walk of a robot that does not move.
+struct GaitWalkFixture : PlannedWalk {
+  std::array<int, 5> ticks{};  // by number of swing feet
+
+  GaitWalkFixture() { planner.set_gait(Gait::kWalk); }
+  void count(const WalkVelocity& velocity, double seconds) {
+    ticks = {};
+    for (int k = 0; k < seconds / kDt - 0.5; ++k) {
+      walk(velocity, kDt);
+      ++ticks[swing_feet()];
+    }
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(gait_walk)
+
+BOOST_FIXTURE_TEST_CASE(feet_of_a_walk_swing_one_at_a_time, GaitWalkFixture) {
+  count({0.1, 0.0, 0.0}, 5.0);
+  BOOST_TEST((reference.stepping && planner.walking()));
+  BOOST_TEST(ticks[1] > 1500);
+  BOOST_TEST(ticks[2] + ticks[3] + ticks[4] == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(body_shifts_before_the_first_foot_lifts_off, GaitWalkFixture) {
+  double time = 0.0;
+  for (; swing_feet() == 0 && time < 2.0; time += kDt) walk({0.1, 0.0, 0.0}, kDt);
+  BOOST_TEST(time > planner.stepping().size().time);
+  BOOST_TEST(planner.stepping().sway().p().norm() > 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(walk_stands_at_velocity_0, GaitWalkFixture) {
+  walk({}, 1.0);
+  expect_standing_reference();
+  walk({0.1, 0.0, 0.0}, 2.0);
+  double time = 0.0;
+  for (; planner.walking() && time < 3.0; time += kDt) walk({}, kDt);
+  BOOST_TEST(time < 2.0);
+  expect_standing_reference();
+}
+
+BOOST_FIXTURE_TEST_CASE(gait_changes_while_the_robot_walks, GaitWalkFixture) {
+  const WalkVelocity velocity{0.1, 0.0, 0.0};
+  for (const Gait gait : {Gait::kAuto, Gait::kWalk, Gait::kTrot}) {
+    planner.set_gait(gait);
+    walk(velocity, 1.0);
+    BOOST_TEST(planner.walking());
+    count(velocity, 2.0);
+    const bool walks = gait == Gait::kWalk;
+    BOOST_TEST((ticks[1] > 0) == walks);
+    BOOST_TEST((ticks[2] > 0) == !walks);
+  }
+}
+
+// Feet stand in between: the walk never has two feet in the air.
+BOOST_FIXTURE_TEST_CASE(order_changes_with_the_direction_of_motion, GaitWalkFixture) {
+  for (const WalkVelocity& velocity :
+       {WalkVelocity{0.15, 0.0, 0.0}, WalkVelocity{0.0, 0.15, 0.0}, WalkVelocity{0.0, 0.0, 0.4}}) {
+    count(velocity, 3.0);
+    BOOST_TEST(ticks[1] > 700);
+    BOOST_TEST(ticks[2] + ticks[3] + ticks[4] == 0);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(height_and_attitude_last_from_stand_to_walk_to_stand, GaitWalkFixture) {
+  planner.stand().set_target({0.0, 0.0, -0.02, 0.0, 0.1, 0.0});
+  run(2.0);
+  const auto expect_offset = [&] {
+    const BodyReference offset = planner.stand().motion().relative_pose();
+    BOOST_TEST(std::abs(offset.height + 0.02) < 1e-3);
+    BOOST_TEST(std::abs(offset.pitch - 0.1) < 1e-3);
+  };
+  expect_offset();
+  walk({0.1, 0.0, 0.0}, 1.0);
+  BOOST_TEST(planner.walking());
+  expect_offset();
+  walk({}, 2.5);
+  BOOST_TEST(!planner.walking());
+  expect_offset();
+}
+
+BOOST_AUTO_TEST_SUITE_END()
