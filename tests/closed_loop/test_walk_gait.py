@@ -31,7 +31,7 @@ def walk(gait: Gait, velocities: list[str], *references: str, duration: float) -
 def walked() -> dict:
     """A walk forwards, to the left, on the spot to the right, and a stop."""
     velocities = ["0.25,0,0@0.5", "0,0.25,0@3.5", "0,0,-0.5@6.5", "0,0,0@9"]
-    return summarise(walk(Gait.WALK, velocities, duration=11.5))
+    return summarise(walk(Gait.WALK, velocities, duration=12.5))
 
 
 def test_go1_walks_with_three_loaded_feet_in_every_direction(walked) -> None:
