@@ -83,7 +83,7 @@ void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& m
   clock_.advance(timing, longest_wait(), at_rest_, input.dt);
 }
 
-// Return the contact confidences, but 0 of a swing foot that hits an obstacle.
+// Return the contact confidences, but 0 of a foot that lifts over an obstacle and has not landed.
 Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
   Eigen::Vector4d contact = input.state.contact;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -98,7 +98,8 @@ Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
                          input.v_feet.col(leg),
                          p.z() - ground_.height_at(p.head<2>()),
                          contact[leg]};
-    contact[leg] = stumble_.update(leg, foot, clock_.swing_progress(leg), input.dt);
+    const double judged = stumble_.update(leg, foot, clock_.swing_progress(leg), input.dt);
+    if (stumble_.lifting(leg)) contact[leg] = judged;
     if (!stumble_.begins(leg)) continue;
     swings_[leg].lift_off(stumble_.p_start(leg));
     clearance_.stumble();
