@@ -21,6 +21,7 @@ struct StumbleFixture {
     foot.v_reference = foot.v = Vector3(0.6, 0.0, -0.2) * size.speed;
     foot.height = 0.15 * size.height;
     foot.contact = 0.0;
+    update(0.1);  // it has left the ground
   }
   // A face stops the foot ahead; it still moves down with its reference.
   void hit_a_face() {
@@ -103,6 +104,14 @@ BOOST_FIXTURE_TEST_CASE(foot_stumbles_only_after_it_has_touched_something, Stumb
   BOOST_TEST(stumble.lifting(FR_));
 }
 
+// After a push the swing is short, and the confidence falls late.
+BOOST_FIXTURE_TEST_CASE(contact_that_lasts_since_the_lift_off_is_no_stumble, StumbleFixture) {
+  stumble.end(FR_);
+  hit_a_face();
+  for (int k = 0; k < 50; ++k) update();
+  BOOST_TEST(!stumble.lifting(FR_));
+}
+
 BOOST_FIXTURE_TEST_CASE(lift_ends_when_the_foot_lands_on_the_step, StumbleFixture) {
   hit_a_face();
   update();
@@ -136,6 +145,9 @@ BOOST_FIXTURE_TEST_CASE(foot_at_a_wall_gives_up_after_two_lifts, StumbleFixture)
   BOOST_TEST(lifts == 2);
   BOOST_TEST(!stumble.lifting(FR_));
   stumble.end(FR_);  // the next swing may stumble again
+  foot.contact = 0.0;
+  update(0.1);
+  foot.contact = 1.0;
   update();
   BOOST_TEST(stumble.lifting(FR_));
 }

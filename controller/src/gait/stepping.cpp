@@ -20,9 +20,6 @@ constexpr double kReachDownSpeed = 0.23;
 // [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
 // of a period of 0.42 s, has stepped into a hole.
 constexpr double kMaxWait = 0.15;
-// [sqrt(g h)] Velocity error below which a robot is not recovering from a push. Chosen: twice the
-// velocity RMSE of a walk at 1.5 m/s.
-constexpr double kSteadySpeed = 0.12;
 // is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.045;
@@ -128,14 +125,11 @@ void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& m
   clock_.advance(timing, longest_wait(), at_rest_ || changes_pattern_, input.dt);
 }
 
-// Return the contact confidences, but 0 of a swing foot that hits an obstacle. After a push feet
-// lag behind their references without an obstacle, so none is judged.
+// Return the contact confidences, but 0 of a foot that lifts over an obstacle and has not landed.
 Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
   Eigen::Vector4d contact = input.state.contact;
-  const double error = (motion_without_sway(input).v_com - body_.v_world()).norm();
-  const bool steady = error < kSteadySpeed * size_.speed;
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (!steady || contacts_.phase(leg) != FootPhase::kSwing) {
+    if (contacts_.phase(leg) != FootPhase::kSwing) {
       stumble_.end(leg);
       continue;
     }
@@ -146,7 +140,8 @@ Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
                          input.v_feet.col(leg),
                          p.z() - ground_.height_at(p.head<2>()),
                          contact[leg]};
-    contact[leg] = stumble_.update(leg, foot, clock_.swing_progress(leg), input.dt);
+    const double judged = stumble_.update(leg, foot, clock_.swing_progress(leg), input.dt);
+    if (stumble_.lifting(leg)) contact[leg] = judged;
     if (!stumble_.begins(leg)) continue;
     swings_[leg].lift_off(stumble_.p_start(leg));
     clearance_.stumble();

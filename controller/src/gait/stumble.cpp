@@ -20,6 +20,7 @@ constexpr double kRise = 0.3, kEarliestLanding = 0.5;
 constexpr double kEarliestStumble = 0.2;
 // Contact confidence above which a foot touches something. A foot bounces off a face within 10 ms.
 constexpr double kTouched = 0.5;
+constexpr double kFree = 0.3;  // contact confidence below which a foot has left the ground
 // Most lifts in a swing. Chosen: a foot that is still stopped then stands where it is.
 constexpr int kMaxLifts = 2;
 
@@ -28,7 +29,7 @@ constexpr int kMaxLifts = 2;
 void Stumble::start() noexcept { *this = Stumble(size_); }
 
 void Stumble::end(int leg) noexcept {
-  lifting_[leg] = begins_[leg] = touched_[leg] = false;
+  lifting_[leg] = begins_[leg] = free_[leg] = touched_[leg] = false;
   lifts_[leg] = 0;
 }
 
@@ -37,7 +38,9 @@ double Stumble::update(int leg, const SwingFoot& foot, double progress, double d
   begins_[leg] = false;
   if (lifting_[leg]) progress_[leg] += dt / time();
   // After a push, saturated motors leave a foot behind its reference too; it then touches nothing.
-  touched_[leg] = touched_[leg] || (foot.contact > kTouched && may_stumble(leg, progress));
+  free_[leg] = free_[leg] || foot.contact < kFree;
+  touched_[leg] =
+      touched_[leg] || (free_[leg] && foot.contact > kTouched && may_stumble(leg, progress));
   if (judged == SwingContact::kObstacle && touched_[leg]) {
     const Eigen::Vector2d ahead = foot.v_reference.head<2>().normalized();
     p_start_[leg] << foot.p.head<2>() - kRetract * size_.height * ahead, foot.p.z();

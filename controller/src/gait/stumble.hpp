@@ -43,7 +43,8 @@ class Stumble {
 
   GaitSize size_;
   std::array<bool, kLegs> lifting_{}, begins_{};
-  std::array<bool, kLegs> touched_{};  // something, since it lifted off
+  std::array<bool, kLegs> free_{};     // the foot has left the ground in this swing
+  std::array<bool, kLegs> touched_{};  // and has touched something since then
   std::array<int, kLegs> lifts_{};     // in this swing
   std::array<double, kLegs> progress_{};
   std::array<Vector3, kLegs> p_start_{};
