@@ -170,7 +170,6 @@ def test_browser_changes_a_gain_pushes_and_saves_a_file(live: Live) -> None:
 
 def test_keys_walk_the_robot_and_the_stop_button_stops_it(live: Live) -> None:
     tab, session = live.tab, live.session
-    tab.locator("canvas").first.focus()
     for _ in range(3):
         tab.keyboard.press("i")
     tab.keyboard.press("j")
