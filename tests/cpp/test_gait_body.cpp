@@ -20,9 +20,9 @@ struct BodyFixture : WalkingBody {
     offset.latch({Vector3(0.0, 0.0, size.height), Quaternion::Identity()},
                  Vector3(0.0, 0.0, size.height), q);
   }
-  const Reference& written(double ahead = 0.0) {
+  const Reference& written(double ahead = 0.0, const Vector3& normal = Vector3::UnitZ()) {
     GroundPlane ground;
-    ground.start(feet);
+    ground.start(feet, Eigen::Vector4d::Ones(), normal);
     body.write(ground, sway, offset, ahead, reference);
     return reference;
   }
@@ -107,8 +107,8 @@ BOOST_FIXTURE_TEST_CASE(body_follows_a_slope_at_the_standing_height, BodyFixture
   body.start(measured, size.height);
   walk({0.4, 0.0, 0.5}, 1.0);
   feet.row(2) = rise * feet.row(0);
-  written();
   const Vector3 normal = Vector3(-rise, 0.0, 1.0).normalized();
+  written(0.0, normal);
   BOOST_TEST((reference.ground_normal - normal).norm() < 1e-9);
   BOOST_TEST(std::abs(reference.p_com.z() - rise * reference.p_com.x() - size.height) < 1e-9);
   BOOST_TEST(std::abs(reference.v_com.z() - rise * reference.v_com.x()) < 1e-9);

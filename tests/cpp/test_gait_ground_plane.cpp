@@ -14,7 +14,7 @@ struct PlaneFixture {
   FeetMatrix feet;  // FR FL RR RL, level, at height 0.1
   PlaneFixture() {
     feet << 0.2, 0.2, -0.2, -0.2, -0.13, 0.13, -0.13, 0.13, 0.1, 0.1, 0.1, 0.1;
-    ground.start(feet);
+    ground.start(feet, Eigen::Vector4d::Ones(), Vector3::UnitZ());
   }
   void stand(const FeetMatrix& points) {
     for (int leg = 0; leg < kLegs; ++leg) ground.stand_at(leg, points.col(leg));
@@ -22,6 +22,7 @@ struct PlaneFixture {
   void run(double seconds) {
     for (int k = 0; k < seconds / 0.002; ++k) ground.update(0.1, {0.0, 0.0}, 0.002);
   }
+  Vector3 sloping() const { return Vector3(-kSlope, 0.0, 1.0).normalized(); }
   FeetMatrix sloped() const {
     FeetMatrix points = feet;
     points.row(2) += kSlope * points.row(0);
@@ -39,20 +40,30 @@ BOOST_FIXTURE_TEST_CASE(level_ground_has_a_vertical_normal, PlaneFixture) {
 }
 
 BOOST_FIXTURE_TEST_CASE(slope_of_15_degrees_is_found_at_the_start, PlaneFixture) {
-  ground.start(sloped());
+  ground.start(sloped(), Eigen::Vector4d::Ones(), sloping());
   BOOST_TEST((ground.normal() - Vector3(-kSlope, 0.0, 1.0).normalized()).norm() < 1e-12);
   BOOST_TEST(std::abs(ground.height_at({1.0, 0.5}) - 0.1 - kSlope) < 1e-12);
 }
 
+// A robot that is pushed steps when it already tips over two feet.
+BOOST_FIXTURE_TEST_CASE(feet_in_the_air_are_over_the_ground_at_the_start, PlaneFixture) {
+  FeetMatrix tipped = sloped();
+  tipped(2, FR_) += 0.05;
+  tipped(2, RR_) += 0.08;
+  ground.start(tipped, {0.0, 1.0, 0.0, 1.0}, sloping());
+  run(1.0);
+  BOOST_TEST((ground.normal() - sloping()).norm() < 1e-3);
+  BOOST_TEST(std::abs(ground.height_at({0.2, 0.0}) - 0.1 - 0.2 * kSlope) < 1e-3);
+}
+
 BOOST_FIXTURE_TEST_CASE(normal_approaches_a_new_slope_within_its_time_constant, PlaneFixture) {
-  const Vector3 sloping = Vector3(-kSlope, 0.0, 1.0).normalized();
   stand(sloped());
   BOOST_TEST((ground.normal() - Vector3::UnitZ()).norm() < 1e-12);  // only update() moves it
   run(0.2);
-  const double share = (ground.normal() - sloping).norm() / (Vector3::UnitZ() - sloping).norm();
+  const double share = (ground.normal() - sloping()).norm() / (Vector3::UnitZ() - sloping()).norm();
   BOOST_TEST(std::abs(share - std::exp(-1.0)) < 0.02);
   run(3.0);
-  BOOST_TEST((ground.normal() - sloping).norm() < 1e-5);
+  BOOST_TEST((ground.normal() - sloping()).norm() < 1e-5);
   BOOST_TEST(std::abs(ground.normal().norm() - 1.0) < 1e-12);
 }
 
@@ -79,7 +90,7 @@ BOOST_FIXTURE_TEST_CASE(height_for_the_body_approaches_a_step_without_a_jump, Pl
 }
 
 BOOST_FIXTURE_TEST_CASE(height_for_the_body_does_not_lag_on_a_slope, PlaneFixture) {
-  ground.start(sloped());
+  ground.start(sloped(), Eigen::Vector4d::Ones(), sloping());
   Eigen::Vector2d body(0.0, 0.0);
   for (int k = 0; k < 1000; ++k) {
     body.x() += 0.002 * 0.5;  // 0.5 m/s; the feet follow in every tick
@@ -93,7 +104,7 @@ BOOST_FIXTURE_TEST_CASE(height_for_the_body_does_not_lag_on_a_slope, PlaneFixtur
 }
 
 BOOST_FIXTURE_TEST_CASE(feet_that_span_no_ground_keep_the_normal, PlaneFixture) {
-  ground.start(sloped());
+  ground.start(sloped(), Eigen::Vector4d::Ones(), sloping());
   const Vector3 before = ground.normal();
   FeetMatrix in_line = feet;
   in_line.row(1) *= 1e-4;

@@ -62,7 +62,7 @@ BOOST_FIXTURE_TEST_CASE(order_changes_with_the_direction_of_motion, GaitWalkFixt
   for (const WalkVelocity& velocity :
        {WalkVelocity{0.15, 0.0, 0.0}, WalkVelocity{0.0, 0.15, 0.0}, WalkVelocity{0.0, 0.0, 0.4}}) {
     count(velocity, 3.0);
-    BOOST_TEST(ticks[1] > 700);
+    BOOST_TEST(ticks[1] > 600);  // of 1500; early stances shorten the swings of a robot at rest
     BOOST_TEST(ticks[2] + ticks[3] + ticks[4] == 0);
   }
 }

@@ -20,6 +20,9 @@ constexpr double kReachDownSpeed = 0.23;
 // [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
 // of a period of 0.42 s, has stepped into a hole.
 constexpr double kMaxWait = 0.15;
+// [sqrt(g h)] Velocity error below which a robot is not recovering from a push. Chosen: twice the
+// velocity RMSE of a walk at 1.5 m/s.
+constexpr double kSteadySpeed = 0.12;
 // is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
 // largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
 constexpr double kStopDistance = 0.045;
@@ -125,11 +128,19 @@ void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& m
   clock_.advance(timing, longest_wait(), at_rest_ || changes_pattern_, input.dt);
 }
 
+// Return whether no push is being braked. After a push feet lag behind their references and land
+// early without an obstacle.
+bool Stepping::is_steady(const PlannerInput& input) const noexcept {
+  const Eigen::Vector2d error = motion_without_sway(input).v_com - body_.v_world();
+  return error.norm() < kSteadySpeed * size_.speed;
+}
+
 // Return the contact confidences, but 0 of a foot that lifts over an obstacle and has not landed.
 Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
   Eigen::Vector4d contact = input.state.contact;
+  const bool steady = is_steady(input);
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (contacts_.phase(leg) != FootPhase::kSwing) {
+    if (!steady || contacts_.phase(leg) != FootPhase::kSwing) {
       stumble_.end(leg);
       continue;
     }
@@ -157,9 +168,11 @@ double Stepping::longest_wait() const noexcept {
 }
 
 void Stepping::update_ground(const PlannerInput& input) noexcept {
+  const bool steady = is_steady(input);
   for (int leg = 0; leg < kLegs; ++leg) {
     const Vector3 foot = input.p_feet.col(leg);
-    if (contacts_.landed(leg)) clearance_.land(foot.z() - ground_.height_at(foot.head<2>()));
+    if (steady && contacts_.landed(leg))
+      clearance_.land(foot.z() - ground_.height_at(foot.head<2>()));
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, foot);
   }
   clearance_.advance(body_.v_world().norm(), input.dt);

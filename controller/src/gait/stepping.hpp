@@ -58,6 +58,7 @@ class Stepping {
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
   void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
+  bool is_steady(const PlannerInput& input) const noexcept;
   Eigen::Vector4d judge_contacts(const PlannerInput& input) noexcept;
   double longest_wait() const noexcept;  // [s] of the clock
   void update_ground(const PlannerInput& input) noexcept;
