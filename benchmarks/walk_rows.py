@@ -105,8 +105,8 @@ def check_velocity(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[flo
 def check_walk_gait(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
     """Ask for the velocity errors of a gait walk, and for three loaded feet in 95 % of ticks."""
     figures = check_velocity(log, summary)
-    if summary["three_feet_loaded"] is not None:
-        figures["ticks below three feet %"] = (100.0 * (1.0 - summary["three_feet_loaded"]), 5.0)
+    if summary["three_or_more_loaded"] is not None:
+        figures["ticks below three feet %"] = (100.0 * (1.0 - summary["three_or_more_loaded"]), 5.0)
     return figures
 
 

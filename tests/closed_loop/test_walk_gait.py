@@ -38,7 +38,7 @@ def test_go1_walks_with_three_loaded_feet_in_every_direction(walked) -> None:
     assert not walked["fell"]
     assert (walked["failed_ticks"], walked["leg_contacts"]) == (0, 0)
     assert walked["torque_mode_only"]
-    assert walked["three_feet_loaded"] >= 0.95
+    assert walked["three_or_more_loaded"] >= 0.95
     assert np.all(np.array(walked["velocity_mean_error"]) <= 0.02)
     # The body sways: its velocity differs from the command within a period.
     assert np.all(np.array(walked["velocity_rmse"]) <= [0.07, 0.07, 0.1])

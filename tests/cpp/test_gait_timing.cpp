@@ -98,7 +98,7 @@ BOOST_FIXTURE_TEST_CASE(feet_of_a_walk_lift_off_in_order_a_quarter_of_the_period
 }
 
 // One foot swings at a time, whatever the speed.
-BOOST_FIXTURE_TEST_CASE(walk_keeps_three_feet_down_at_every_speed, TimingFixture) {
+BOOST_FIXTURE_TEST_CASE(walk_keeps_three_legs_down_at_every_speed, TimingFixture) {
   for (double vx = 0.0; vx < 3.0; vx += 0.1) {
     const GaitTiming timing = gait_timing({true, {}}, gains, size, {vx, 0.0, 0.0});
     BOOST_REQUIRE(timing.duty >= 0.75);

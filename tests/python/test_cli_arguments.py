@@ -76,7 +76,7 @@ BAD = {
     "two velocities at one time": ["walk", "--velocity", "1,0,0@1", "--velocity", "0,1,0@1"],
     "unknown gait": ["walk", "--gait", "pace"],
     "two directions of ascent": ["walk", "--slope", "5:90", "--slope-heading", "0"],
-    "walk with a reference": ["walk", "--reference", "roll=1@1"],
+    "walk with an unknown reference": ["walk", "--reference", "mood=1@1"],
     "bench of unknown robot": ["bench", "--robot", "go7"],
     "bench with too few ticks": ["bench", "--ticks", "9"],
     "bench of unknown form": ["bench", "--form", "dense"],

@@ -48,14 +48,14 @@ def command_figures(log: WalkLog) -> list[dict[str, Any]]:
 def worst_command(entries: list[dict[str, Any]]) -> dict[str, Any]:
     """Return the worst value of each figure over all commands, each axis for itself.
 
-    The worst is the largest, of three_feet_loaded the smallest.
+    The worst is the largest, of three_or_more_loaded the smallest.
 
     None: no command has the figure.
     """
     worst: dict[str, Any] = {}
     for name in _NO_FIGURES:
         values = [entry[name] for entry in entries if entry[name] is not None]
-        of_all = np.min if name == "three_feet_loaded" else np.max
+        of_all = np.min if name == "three_or_more_loaded" else np.max
         worst[name] = of_all(values, axis=0) if values else None
     return worst
 
@@ -64,7 +64,7 @@ _NO_FIGURES: dict[str, Any] = {
     "velocity_mean_error": None,
     "velocity_rmse": None,
     "roll_pitch_rms_deg": None,
-    "three_feet_loaded": None,
+    "three_or_more_loaded": None,
     "cost_of_transport": None,
     "torque_hf_rms": None,
 }
@@ -85,7 +85,7 @@ def window_figures(log: WalkMotion, window: slice) -> dict[str, Any]:
         "velocity_mean_error": np.abs(error.mean(axis=0)),
         "velocity_rmse": rms(error),
         "roll_pitch_rms_deg": rms(angles),
-        "three_feet_loaded": float(np.mean(loaded.sum(axis=1) >= 3)),
+        "three_or_more_loaded": float(np.mean(loaded.sum(axis=1) >= 3)),
         "cost_of_transport": _cost_of_transport(log, window, velocity),
         "torque_hf_rms": high_frequency_rms(log.tau[window], log.rate).max(),
     }

@@ -65,7 +65,7 @@ _GROUPS: dict[str, tuple[Row, ...]] = {
             "RMS of roll and of pitch relative to the ground plane and the body reference",
         ),
         (
-            "three_feet_loaded",
+            "three_or_more_loaded",
             "",
             "share of the ticks with at least three feet that carry 5 % of the weight each; the "
             "smallest of all commands",

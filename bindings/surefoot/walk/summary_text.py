@@ -96,7 +96,7 @@ def _feet_text(s: dict[str, Any]) -> str:
 
 
 def _loaded_text(s: dict[str, Any]) -> str:
-    share = s["three_feet_loaded"]
+    share = s["three_or_more_loaded"]
     return "" if share is None else f"three feet loaded in {100 * share:.1f} % of ticks, "
 
 

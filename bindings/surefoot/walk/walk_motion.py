@@ -32,6 +32,8 @@ class WalkMotion(Protocol):
     @property
     def commanded(self) -> Array: ...  # noqa: D102
     @property
+    def body_reference(self) -> Array: ...  # noqa: D102
+    @property
     def tau(self) -> Array: ...  # noqa: D102
     @property
     def dq(self) -> Array: ...  # noqa: D102

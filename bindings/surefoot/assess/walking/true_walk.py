@@ -39,6 +39,11 @@ class TrueWalk:
     dq: Array
     torque_limit: Array
 
+    @property
+    def body_reference(self) -> Array:
+        """(n, 3) height, roll and pitch of the body reference: a scorecard requests none."""
+        return np.zeros((len(self.tau), 3))
+
 
 class WalkRecorder:
     """Recorder of the true motion of a walk; record() fills one row of each array.

@@ -10,9 +10,9 @@ namespace {
 // [m/s] Speed of the centre of mass below which the robot is at rest. Chosen larger than the
 // velocity noise of a standing robot, and smaller than the velocity after a push.
 constexpr double kRestSpeed = 0.1;
-// [s] Time constant of the mean wrench at rest. Chosen. If smaller: the mean contains a larger share
-// of a push that has just begun, and the robot is still slower than kRestSpeed. If larger: a payload
-// that was just put on is not yet carried when the robot begins to walk.
+// [s] Time constant of the mean wrench at rest. Chosen. If smaller: the mean contains a larger
+// share of a push that has just begun, and the robot is still slower than kRestSpeed. If larger: a
+// payload that was just put on is not yet carried when the robot begins to walk.
 constexpr double kRestTime = 0.5;
 // [m] Bound of the estimated moment, divided by the bound of the estimated force. Chosen: a payload
 // within 0.1 m of the centre of mass (docs/explanation/estimator.md, payload_max).
