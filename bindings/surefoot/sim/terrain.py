@@ -97,7 +97,8 @@ class Terrain:
             raise Error(f"terrain: got {' and '.join(given)}, expected one of them")
         if self.step_heading_deg and not self.step_height:
             raise Error(
-                f"terrain: got step_heading_deg {self.step_heading_deg:g} without step_height, expected both or neither"
+                f"terrain: got step_heading_deg {self.step_heading_deg:g} without step_height, "
+                "expected both or neither"
             )
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
             raise Error(f"terrain: seed: got {self.seed!r}, expected a whole number from 0 up")
