@@ -60,7 +60,7 @@ BOOST_FIXTURE_TEST_CASE(all_legs_stand_at_the_start_and_unload_before_their_firs
 BOOST_FIXTURE_TEST_CASE(pair_of_a_given_leg_can_swing_at_once, ClockFixture) {
   set_duty(0.5);
   for (const int leg : {FR_, FL_, RR_, RL_}) {
-    clock.start_swing(leg);
+    clock.start_swing(timing, leg);
     tick();
     BOOST_TEST(swing_feet() == 2);
     BOOST_TEST(clock.in_swing(leg));

@@ -18,7 +18,7 @@ struct StepTimingFixture : WalkingBody {
 
   StepTimingFixture() {
     stand_over(Eigen::Vector2d::Zero());
-    clock.start_swing(FL_);
+    clock.start_swing(timing(), FL_);
     clock.advance(timing(), false, false, kDt);
   }
   // Put the feet where the middle of the nominal stance is `ahead` [m] of the body, world axes.
@@ -29,7 +29,7 @@ struct StepTimingFixture : WalkingBody {
                         (measured.p_com + ahead);
   }
   GaitTiming timing() const { return {2.4 * size.time, 0.5, {0.0, 0.5, 0.5, 0.0}}; }
-  double factor() const { return swing_time_factor(size, clock, feet, measured, body); }
+  double factor() const { return swing_time_factor(size, clock, timing(), feet, measured, body); }
   // Move the capture point by velocity alone, across the line between the stance feet.
   void push(double distance) {
     const Eigen::Vector2d line = (feet.col(FR_) - feet.col(RL_)).head<2>().normalized();
@@ -58,6 +58,19 @@ BOOST_FIXTURE_TEST_CASE(capture_point_is_within_reach_at_the_shorter_touchdown, 
       const double at_touchdown = share * size.height * std::exp(time / size.time);
       BOOST_TEST(at_touchdown == size.height, boost::test_tools::tolerance(1e-6));
     }
+  }
+}
+
+// The clock that runs faster must not change the times from which the factor is computed.
+BOOST_FIXTURE_TEST_CASE(factor_does_not_depend_on_the_factor_of_the_last_tick, StepTimingFixture) {
+  push(0.4 * size.height);
+  const double first = factor();
+  BOOST_TEST(first < 0.9);
+  for (int k = 0; k < 5; ++k) {
+    GaitTiming shortened = timing();
+    shortened.period *= factor();
+    clock.advance(shortened, 0.0, false, kDt);
+    BOOST_TEST(factor() == first, boost::test_tools::tolerance(0.1));
   }
 }
 

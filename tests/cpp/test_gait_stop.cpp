@@ -30,7 +30,7 @@ BOOST_FIXTURE_TEST_CASE(robot_steps_until_its_feet_are_in_the_nominal_stance, Pl
 }
 
 BOOST_FIXTURE_TEST_CASE(gait_trot_steps_at_velocity_0, PlannedWalk) {
-  planner.set_gait(Gait::kTrot);
+  planner.set_gait(gains, Gait::kTrot);
   walk({}, 2.0);
   BOOST_TEST((planner.walking() && reference.stepping));
   BOOST_TEST(planner.stepping().body().v_world().norm() == 0.0);

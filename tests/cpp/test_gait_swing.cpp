@@ -105,7 +105,7 @@ BOOST_FIXTURE_TEST_CASE(velocity_and_acceleration_are_derivatives_of_the_positio
 BOOST_FIXTURE_TEST_CASE(late_foot_continues_downwards_at_constant_speed, SwingFixture) {
   run([](double) { return Vector3(0.4, 0.0, 0.0); }, 0.002);
   const Vector3 landing = swing.p_world();
-  for (int k = 0; k < 10; ++k) swing.reach_down(0.4, 0.002);
+  for (int k = 0; k < 10; ++k) swing.reach_down(0.4, -1.0, 0.002);
   BOOST_TEST((swing.p_world() - landing + 0.008 * Vector3::UnitZ()).norm() < 1e-12);
   BOOST_TEST((swing.v_world() + 0.4 * Vector3::UnitZ()).norm() == 0.0);
   BOOST_TEST(swing.a_world().norm() == 0.0);

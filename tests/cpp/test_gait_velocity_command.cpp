@@ -122,6 +122,9 @@ BOOST_FIXTURE_TEST_CASE(robot_whose_power_limit_is_too_small_for_a_trot_gets_no_
   limited.set(gains, Gait::kAuto, {0.3 * size.speed, 0.0, 0.0});
   BOOST_TEST((limited.limit() == WalkLimit::kPower));
   BOOST_TEST(limited.is_zero());
+  limited.set(gains, Gait::kAuto, {});
+  BOOST_TEST((limited.limit() == WalkLimit::kNone));
+  BOOST_TEST(limited.is_zero());  // and not NaN
 }
 
 BOOST_AUTO_TEST_SUITE_END()

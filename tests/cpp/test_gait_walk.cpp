@@ -9,7 +9,7 @@ namespace {
 struct GaitWalkFixture : PlannedWalk {
   std::array<int, 5> ticks{};  // by number of swing feet
 
-  GaitWalkFixture() { planner.set_gait(Gait::kWalk); }
+  GaitWalkFixture() { planner.set_gait(gains, Gait::kWalk); }
   void count(const WalkVelocity& velocity, double seconds) {
     ticks = {};
     for (int k = 0; k < seconds / kDt - 0.5; ++k) {
@@ -47,7 +47,7 @@ BOOST_FIXTURE_TEST_CASE(walk_stands_at_velocity_0, GaitWalkFixture) {
 BOOST_FIXTURE_TEST_CASE(gait_changes_while_the_robot_walks, GaitWalkFixture) {
   const WalkVelocity velocity{0.1, 0.0, 0.0};
   for (const Gait gait : {Gait::kAuto, Gait::kWalk, Gait::kTrot}) {
-    planner.set_gait(gait);
+    planner.set_gait(gains, gait);
     walk(velocity, 1.0);
     BOOST_TEST(planner.walking());
     count(velocity, 2.0);

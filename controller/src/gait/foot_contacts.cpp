@@ -65,7 +65,7 @@ bool FootContacts::others_in_stance(int leg) const noexcept {
 // A foot that is about to lift off need not land first.
 bool FootContacts::late(const GaitClock& clock, double min_load) const noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (clock.time_to_liftoff(leg) <= kLoadRamp) continue;
+    if (clock.time_to_liftoff(leg) <= kLoadRamp || clock.waits(leg)) continue;
     if (phase_[leg] == FootPhase::kLateSwing || load_[leg] < min_load) return true;
   }
   return false;

@@ -9,7 +9,7 @@ namespace surefoot {
 void GaitClock::advance(const GaitTiming& timing, double max_wait, bool stop, double dt) noexcept {
   timing_ = timing;
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (phase_of(leg) < timing_.duty) grounded_[leg] = stop;
+    if (phase_of(leg) < timing_.duty || waits_[leg]) grounded_[leg] = stop;
   }
   if (std::any_of(waits_.begin(), waits_.end(), [](bool waits) { return waits; })) {
     waited_ += dt;
@@ -32,6 +32,10 @@ double GaitClock::phase_of(int leg) const noexcept {
 
 double GaitClock::swing_progress(int leg) const noexcept {
   return in_swing(leg) ? (phase_of(leg) - timing_.duty) / (1.0 - timing_.duty) : 0.0;
+}
+
+double GaitClock::stance_progress(int leg) const noexcept {
+  return std::min(phase_of(leg) / timing_.duty, 1.0);
 }
 
 double GaitClock::time_to_touchdown(int leg) const noexcept {

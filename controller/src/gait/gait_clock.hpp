@@ -29,9 +29,10 @@ class GaitClock {
     grounded_.fill(true);
   }
   /// Start with `leg`, and all legs that move with it, at the begin of their swing.
-  void start_swing(int leg) noexcept {
+  void start_swing(const GaitTiming& timing, int leg) noexcept {
     *this = {};
-    phase_ = fraction(timing_.duty - timing_.offset[leg]);
+    timing_ = timing;
+    phase_ = fraction(timing.duty - timing.offset[leg]);
   }
 
   /// Advance the phase.
@@ -43,9 +44,12 @@ class GaitClock {
   bool in_swing(int leg) const noexcept {
     return phase_of(leg) >= timing_.duty && !grounded_[leg] && !waits_[leg];
   }
+  /// Return whether the leg should lift off, and waits for late feet.
+  bool waits(int leg) const noexcept { return waits_[leg]; }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
-  double time_to_touchdown(int leg) const noexcept;     ///< [s] 0 in stance
+  double stance_progress(int leg) const noexcept;    ///< share of the stance that is over, 0 .. 1
+  double time_to_touchdown(int leg) const noexcept;  ///< [s] 0 in stance
   double time_since_touchdown(int leg) const noexcept;  ///< [s] 0 in swing
   double time_to_liftoff(
       int leg) const noexcept;  ///< [s] 0 in swing; a period if it skips its swing or waits

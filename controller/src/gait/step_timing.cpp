@@ -25,8 +25,8 @@ struct StanceLine {
 };
 
 // Return whether exactly two feet are scheduled to stand.
-bool find_stance_line(const GaitSize& size, const GaitClock& clock, const FeetMatrix& p_world_feet,
-                      double yaw, StanceLine& line) noexcept {
+bool find_stance_line(const GaitSize& size, const GaitClock& clock, const GaitTiming& timing,
+                      const FeetMatrix& p_world_feet, double yaw, StanceLine& line) noexcept {
   std::array<int, 2> legs{};
   int count = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -41,7 +41,7 @@ bool find_stance_line(const GaitSize& size, const GaitClock& clock, const FeetMa
       Eigen::Rotation2Dd(yaw) *
       Eigen::Vector2d(0.5 *
                       (size.nominal_feet.col(legs[0]) + size.nominal_feet.col(legs[1])).head<2>());
-  line.age = clock.timing().stance_time() - clock.time_to_liftoff(legs[0]);
+  line.age = clock.stance_progress(legs[0]) * timing.stance_time();
   return true;
 }
 
@@ -59,16 +59,17 @@ double capture_error(const GaitSize& size, const StanceLine& line, double stance
 
 }  // namespace
 
-double swing_time_factor(const GaitSize& size, const GaitClock& clock,
+double swing_time_factor(const GaitSize& size, const GaitClock& clock, const GaitTiming& timing,
                          const FeetMatrix& p_world_feet, const HorizontalMotion& measured,
                          const BodyTrajectory& body) noexcept {
   StanceLine line;
-  if (!find_stance_line(size, clock, p_world_feet, body.yaw(), line)) return 1.0;
+  if (!find_stance_line(size, clock, timing, p_world_feet, body.yaw(), line)) return 1.0;
   double time_left = 0.0;
   for (int leg = 0; leg < kLegs; ++leg) {
-    time_left = std::max(time_left, clock.time_to_touchdown(leg));
+    if (!clock.in_swing(leg)) continue;
+    time_left = std::max(time_left, (1.0 - clock.swing_progress(leg)) * timing.swing_time());
   }
-  const double distance = capture_error(size, line, clock.timing().stance_time(), measured, body);
+  const double distance = capture_error(size, line, timing.stance_time(), measured, body);
   // Numerical: the smallest numbers only avoid a division by zero.
   const double time = size.time * std::log(kReach * size.height / std::max(distance, 1e-6));
   return std::clamp(time / std::max(time_left, 1e-6), kMinFactor, 1.0);

@@ -15,8 +15,8 @@ namespace surefoot {
 ///   t <= sqrt(h/g) ln(reach / d).
 /// Source: Khadiv, Herzog, Moosavian, Righetti 2016, "Step timing adjustment: a step toward
 /// generating robust gaits".
-/// @param clock times of the gait without this factor
-double swing_time_factor(const GaitSize& size, const GaitClock& clock,
+/// @param timing times of the gait without this factor
+double swing_time_factor(const GaitSize& size, const GaitClock& clock, const GaitTiming& timing,
                          const FeetMatrix& p_world_feet, const HorizontalMotion& measured,
                          const BodyTrajectory& body) noexcept;
 

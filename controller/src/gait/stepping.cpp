@@ -17,6 +17,9 @@ namespace {
 // [sqrt(g h)] Speed at which a foot reaches down that should have landed: 0.4 m/s at h = 0.3 m.
 // Chosen: about twice the default of swing_landing_speed.
 constexpr double kReachDownSpeed = 0.23;
+// [h] Depth below the ground plane at which it stops: 9 cm at h = 0.3 m. Chosen: a little deeper
+// than the highest step that the robot climbs.
+constexpr double kReachDepth = 0.3;
 // [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
 // of a period of 0.42 s, has stepped into a hole.
 constexpr double kMaxWait = 0.15;
@@ -62,7 +65,7 @@ void Stepping::start_recovery(const PlannerInput& input, const Vector3& ground_n
                               double height_offset) noexcept {
   begin(input, ground_normal, height_offset);
   pattern_.walk = false;
-  clock_.start_swing(leg_to_swing(input));
+  clock_.start_swing(gait_timing(pattern_, input.gains, size_, {}), leg_to_swing(input));
 }
 
 void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
@@ -124,7 +127,7 @@ void Stepping::update_pattern(const Gains& gains, bool walk, const WalkVelocity&
 
 void Stepping::update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
   GaitTiming timing = gait_timing(pattern_, input.gains, size_, body_.velocity());
-  timing.period *= swing_time_factor(size_, clock_, input.p_feet, measured, body_);
+  timing.period *= swing_time_factor(size_, clock_, timing, input.p_feet, measured, body_);
   clock_.advance(timing, longest_wait(), at_rest_ || changes_pattern_, input.dt);
 }
 
@@ -140,7 +143,8 @@ Eigen::Vector4d Stepping::judge_contacts(const PlannerInput& input) noexcept {
   Eigen::Vector4d contact = input.state.contact;
   const bool steady = is_steady(input);
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (!steady || contacts_.phase(leg) != FootPhase::kSwing) {
+    const bool may_hit = steady || stumble_.lifting(leg);
+    if (!may_hit || contacts_.phase(leg) != FootPhase::kSwing) {
       stumble_.end(leg);
       continue;
     }
@@ -175,7 +179,7 @@ void Stepping::update_ground(const PlannerInput& input) noexcept {
       clearance_.land(foot.z() - ground_.height_at(foot.head<2>()));
     if (contacts_.phase(leg) == FootPhase::kStance) ground_.stand_at(leg, foot);
   }
-  clearance_.advance(body_.v_world().norm(), input.dt);
+  clearance_.advance(size_.fastest_hip(body_.velocity()), input.dt);
   ground_.update(size_.time, input.p_com.head<2>(), input.dt);
 }
 
@@ -184,7 +188,8 @@ void Stepping::plan_foot(int leg, const PlannerInput& input,
   SwingTrajectory& swing = swings_[leg];
   if (contacts_.lifted_off(leg) || contacts_.lost(leg)) swing.lift_off(input.p_feet.col(leg));
   if (contacts_.phase(leg) == FootPhase::kLateSwing) {
-    swing.reach_down(kReachDownSpeed * size_.speed, input.dt);
+    const double ground = ground_.height_at(swing.p_world().head<2>());
+    swing.reach_down(kReachDownSpeed * size_.speed, ground - kReachDepth * size_.height, input.dt);
   }
   if (contacts_.phase(leg) != FootPhase::kSwing) return;
   const bool lifting = stumble_.lifting(leg);

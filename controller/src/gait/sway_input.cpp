@@ -17,7 +17,8 @@ NextSwing next_swing(const StepState& steps, const PlannerInput& input, int leg)
   if (clock.in_swing(leg)) {
     return {0.0, clock.time_to_touchdown(leg), 0.0, stands, steps.footholds.col(leg).head<2>()};
   }
-  const double begin = clock.time_to_liftoff(leg), end = begin + clock.timing().swing_time();
+  const double begin = clock.waits(leg) ? 0.0 : clock.time_to_liftoff(leg),
+               end = begin + clock.timing().swing_time();
   const Eigen::Vector2d lands = foothold(input.gains, steps.size, steps.body.motion(), steps.body,
                                          leg, end, clock.timing().stance_time());
   return {begin, end, clock.time_since_touchdown(leg), stands, lands};

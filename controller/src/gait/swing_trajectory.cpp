@@ -41,8 +41,8 @@ void SwingTrajectory::update(const Shape& shape, const Vector3& foothold, double
   a_.z() = (line_2 + shape.height * bump_2) / (swing_time * swing_time);
 }
 
-void SwingTrajectory::reach_down(double speed, double dt) noexcept {
-  v_ = -speed * Vector3::UnitZ();
+void SwingTrajectory::reach_down(double speed, double lowest, double dt) noexcept {
+  v_ = p_.z() > lowest ? Vector3(-speed * Vector3::UnitZ()) : Vector3::Zero();
   a_.setZero();
   p_ += dt * v_;
 }

@@ -29,8 +29,8 @@ class SwingTrajectory {
   void update(const Shape& shape, const Vector3& foothold, double progress, double swing_time,
               double time_left, double dt) noexcept;
 
-  /// Continue downwards: the foot should have landed and has not.
-  void reach_down(double speed, double dt) noexcept;
+  /// Continue downwards, to a height `lowest` [m]: the foot should have landed and has not.
+  void reach_down(double speed, double lowest, double dt) noexcept;
 
   const Vector3& p_world() const noexcept { return p_; }
   const Vector3& v_world() const noexcept { return v_; }

@@ -15,19 +15,25 @@ void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& vel
     return;
   }
   age_ = 0.0;
+  requested_ = velocity;
+  clamp(gains, gait);
+}
+
+void VelocityCommand::clamp(const Gains& gains, Gait gait) noexcept {
+  const WalkVelocity& velocity = requested_;
   limit_ = WalkLimit::kNone;
-  const auto clamp = [this](double value, double low, double high, WalkLimit limit) {
+  const auto clamped = [this](double value, double low, double high, WalkLimit limit) {
     if (value < low || value > high) limit_ = limit;
     return std::clamp(value, low, high);
   };
   const bool walk = gait == Gait::kWalk;
   const double sideways = (walk ? gains.walk_gait_speed : gains.walk_speed_sideways) * size_.speed;
   const double turn = (walk ? gains.walk_gait_turn_speed : gains.walk_turn_speed) / size_.time;
-  velocity_.yaw_rate = clamp(velocity.yaw_rate, -turn, turn, WalkLimit::kTurn);
-  velocity_.vy = clamp(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
+  velocity_.yaw_rate = clamped(velocity.yaw_rate, -turn, turn, WalkLimit::kTurn);
+  velocity_.vy = clamped(velocity.vy, -sideways, sideways, WalkLimit::kSideways);
   const double forward = (walk ? gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
   const double backward = (walk ? gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
-  velocity_.vx = clamp(velocity.vx, -backward, forward, WalkLimit::kForward);
+  velocity_.vx = clamped(velocity.vx, -backward, forward, WalkLimit::kForward);
   const double factor = power_factor(gains, size_, power_limit_, velocity_);
   if (factor == 1.0) return;
   limit_ = WalkLimit::kPower;
@@ -36,12 +42,12 @@ void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& vel
 
 void VelocityCommand::advance(double dt) noexcept {
   age_ += dt;
-  if (has_expired()) velocity_ = {};
+  if (has_expired()) velocity_ = requested_ = {};
 }
 
 void VelocityCommand::reset() noexcept {
   age_ = std::numeric_limits<double>::infinity();
-  velocity_ = {};
+  velocity_ = requested_ = {};
   limit_ = WalkLimit::kNone;
 }
 

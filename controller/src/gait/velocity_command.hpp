@@ -20,6 +20,8 @@ class VelocityCommand {
   /// Set the velocity, clamped to the limits of the gait. A velocity with a NaN or an infinity
   /// changes nothing.
   void set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept;
+  /// Clamp the velocity of the last set() again, for another gait.
+  void clamp(const Gains& gains, Gait gait) noexcept;
   void advance(double dt) noexcept;
   void reset() noexcept;
 
@@ -34,7 +36,7 @@ class VelocityCommand {
   double timeout_;
   double power_limit_;
   double age_ = std::numeric_limits<double>::infinity();  // [s]
-  WalkVelocity velocity_;
+  WalkVelocity requested_, velocity_;
   WalkLimit limit_ = WalkLimit::kNone;
 };
 

@@ -24,7 +24,10 @@ class WalkPlanner : public Planner {
   void set_velocity(const Gains& gains, const WalkVelocity& velocity) noexcept {
     command_.set(gains, gait_, velocity);
   }
-  void set_gait(Gait gait) noexcept { gait_ = gait; }
+  void set_gait(const Gains& gains, Gait gait) noexcept {
+    gait_ = gait;
+    command_.clamp(gains, gait);
+  }
   bool plan(const PlannerInput& input, Reference& reference) noexcept override;
   void reset() noexcept override;
 

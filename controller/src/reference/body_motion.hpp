@@ -36,7 +36,11 @@ class BodyMotion {
   LatchedPose origin_of(const LatchedPose& pose) const noexcept;
 
   /// Move only height, roll and pitch to the target (true), or all coordinates (false).
-  void set_walking(bool walking) noexcept { walking_ = walking; }
+  void set_walking(bool walking) noexcept {
+    // The stand after a walk has a new origin.
+    if (walking_ && !walking) target_[0] = target_[1] = target_[5] = 0.0;
+    walking_ = walking;
+  }
 
   /// Set the pose and the target to the latched pose at once. p_com() keeps its value until the
   /// next latch() or update().

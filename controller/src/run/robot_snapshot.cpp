@@ -27,7 +27,6 @@ void write_robot_snapshot(const WalkController& controller, const LowState& stat
   snapshot.commanded_velocity = controller.commanded_velocity();
   snapshot.reference_velocity = controller.reference_velocity();
   snapshot.velocity_limit = controller.velocity_limit();
-  snapshot.gait = controller.gait();
   snapshot.command_power = controller.command_power();
   const auto& forces = controller.solution().forces;
   for (int leg = 0; leg < kLegs; ++leg) {

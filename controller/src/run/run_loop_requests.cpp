@@ -8,6 +8,9 @@ namespace surefoot {
 
 namespace {
 
+bool is_finite(const WalkVelocity& v) {
+  return std::isfinite(v.vx) && std::isfinite(v.vy) && std::isfinite(v.yaw_rate);
+}
 bool is_finite(const BodyReference& r) {
   return std::isfinite(r.x + r.y + r.height + r.roll + r.pitch + r.yaw);
 }
@@ -34,13 +37,17 @@ void RunLoop::apply_requests() noexcept {
     supervisor_.set_gains(gains_);  // validated in set_gains()
     damping_ = damping_low_cmd(gains_.damping_kd);
   }
-  if (velocity_mailbox_.take(requested_velocity_)) velocity_time_ = snapshot_.time;
+  WalkVelocity requested;
+  if (velocity_mailbox_.take(requested) && is_finite(requested)) {
+    requested_velocity_ = requested;
+    velocity_time_ = snapshot_.time;
+  }
   if (gait_mailbox_.take(gait_)) supervisor_.set_gait(gait_);
   BodyReference requested_pose;
   if (!reference_mailbox_.take(requested_pose)) return;
   supervisor_.set_body_reference(requested_pose);
   // The supervisor rejects a pose that is not finite. requested_pose_ keeps the last finite pose,
-  // because apply_remote_sticks() adds the offsets of the sticks to it.
+  // because apply_remote() adds the offsets of the sticks to it.
   if (is_finite(requested_pose)) requested_pose_ = requested_pose;
 }
 
@@ -73,7 +80,10 @@ void RunLoop::handle_start_button(bool pressed) noexcept {
 void RunLoop::apply_velocity(const WalkVelocity& sticks) noexcept {
   const bool is_current = snapshot_.time - velocity_time_ < options_.velocity_timeout;
   const bool sticks_moved = sticks.vx != 0.0 || sticks.vy != 0.0 || sticks.yaw_rate != 0.0;
+  const bool had_velocity = has_velocity_;
   has_velocity_ = is_current || sticks_moved || walk_by_remote_;
+  if (had_velocity && !has_velocity_)
+    supervisor_.set_velocity({});  // it has timed out here already
   if (!has_velocity_) return;
   velocity_ = is_current ? requested_velocity_ : WalkVelocity();
   velocity_.vx += sticks.vx;

@@ -33,8 +33,14 @@ void RunLoop::update_phase() noexcept {
     ++snapshot_.dampings;
   }
   snapshot_.rearms += previous_mode == Mode::kDamping && snapshot_.mode != Mode::kDamping;
-  if (snapshot_.mode == Mode::kStand && previous_mode != Mode::kStand) requested_pose_ = {};
-  if (snapshot_.mode != Mode::kWalk && previous_mode == Mode::kWalk) walk_by_remote_ = false;
+  if (snapshot_.mode == Mode::kStand && previous_mode == Mode::kWalk) {
+    requested_pose_.x = requested_pose_.y = requested_pose_.yaw =
+        0.0;  // the stand has a new origin
+  } else if (snapshot_.mode == Mode::kStand && previous_mode != Mode::kStand) {
+    requested_pose_ = {};
+  }
+  const bool may_begin = snapshot_.mode == Mode::kStand && previous_mode == Mode::kStand;
+  if (snapshot_.mode != Mode::kWalk && !may_begin) walk_by_remote_ = false;
   snapshot_.stood = snapshot_.stood || snapshot_.mode == Mode::kStand;
   const bool duration_started = snapshot_.stood || options_.start == Start::kStanding;
   if (duration_started && duration_start_ < 0.0) duration_start_ = snapshot_.time;
@@ -108,6 +114,7 @@ const RunSnapshot& RunLoop::snapshot() noexcept {
   snapshot_.stopping = supervisor_.stopping();
   snapshot_.refused_rearms = refused_rearms_.load();
   write_robot_snapshot(supervisor_.controller(), link_.state(), tau_max_, snapshot_);
+  snapshot_.gait = gait_;
   return snapshot_;
 }
 

@@ -50,7 +50,8 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   encoders.update(state, dt, controller.lost_leg());
   log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
   clock_monitor.update(state, dt);
-  log.set(FaultId::kClock, clock_monitor.fast() || (is_stepping() && clock_monitor.slow()));
+  if (!is_stepping()) clock_monitor.reset_slow();
+  log.set(FaultId::kClock, clock_monitor.fast() || clock_monitor.slow());
   log.set(FaultId::kQuaternion, estimator_faults.quaternion_bad() || !imu.attitude_plausible());
   log.set(FaultId::kAccelerometer, estimator_faults.accelerometer_bad() || imu.accelerometer_bad());
   log.set(FaultId::kGyroscope, estimator_faults.gyroscope_bad() || imu.gyroscope_bad());

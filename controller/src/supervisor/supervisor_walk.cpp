@@ -27,11 +27,15 @@ void Supervisor::Impl::start_walk() noexcept {
 
 // Begin to stop. step_walk() enters the mode `next`, kStand or kSit, when the robot has stopped.
 void Supervisor::Impl::stop_stepping(Mode next) noexcept {
+  if (context.stopping) {
+    if (next != after_stop) stop_time = 0.0;  // the time until it sits counts from the request
+    after_stop = next;
+    return;
+  }
   after_stop = next;
-  if (context.stopping) return;
   context.stopping = true;
   stop_time = 0.0;
-  controller.set_gait(Gait::kAuto);
+  if (controller.gait() == Gait::kTrot) controller.set_gait(Gait::kAuto);  // a trot does not stop
   controller.set_velocity({});
 }
 

@@ -58,7 +58,7 @@ WalkVelocity WalkController::reference_velocity() const noexcept {
 }
 WalkLimit WalkController::velocity_limit() const noexcept { return planner().command().limit(); }
 
-void WalkController::set_gait(Gait gait) noexcept { planner().set_gait(gait); }
+void WalkController::set_gait(Gait gait) noexcept { planner().set_gait(active_gains(), gait); }
 Gait WalkController::gait() const noexcept { return planner().gait(); }
 bool WalkController::walking() const noexcept {
   return planner().walking() && status() != Status::kDamping;

@@ -43,7 +43,7 @@ void SlipDetector::update(const Gains& gains, const FootSlipInput& input, double
     // The low-pass restarts at touchdown, because the velocity of the swing must not count as slip.
     if (in_contact && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v;
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v - v_filtered_.col(leg));
-    if (input.stepping && !in_contact) slip_[leg] = 0.0;
+    if (soles_move && !in_contact) slip_[leg] = 0.0;
     stance_time_[leg] = in_contact ? stance_time_[leg] + dt : 0.0;
     speed_[leg] = v_filtered_.col(leg).norm();
   }

@@ -68,6 +68,8 @@ class ClockMonitor {
   }
   /// Return whether the clock was too fast in the last kWindows windows with enough motion.
   bool fast() const noexcept { return fast_windows_ >= kWindows; }
+  /// Forget how often the clock was too slow.
+  void reset_slow() noexcept { slow_windows_ = 0; }
   /// The same for a clock that was too slow.
   bool slow() const noexcept { return slow_windows_ >= kWindows; }
 
