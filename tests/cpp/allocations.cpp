@@ -197,11 +197,11 @@ void simulate_massless_robot(const LowCmd& command, const LowState& standing, Lo
 }
 
 struct SupervisedCounts {
-  std::array<long, 5> ticks{};  // per mode
+  std::array<long, 6> ticks{};  // per mode
   long allocations = 0, exceptions = 0;
 };
 
-// Run rise, sit, stop and arm requests in turn. All calls except the constructor are counted.
+// Run rise, walk, sit, stop and arm requests in turn. All calls except the constructor are counted.
 SupervisedCounts run_supervisor(const Robot& robot) {
   Supervisor supervisor(robot);
   const LowState standing = resting_sample(robot, 0);
@@ -214,7 +214,9 @@ SupervisedCounts run_supervisor(const Robot& robot) {
     ++tick_counts.ticks[static_cast<int>(mode)];
     if (!supervisor.armed()) supervisor.arm();
     if (mode == Mode::kPassive) supervisor.request(Mode::kRise);
-    if (mode == Mode::kStand && tick % 700 == 0) supervisor.request(Mode::kSit);
+    if (mode == Mode::kStand && tick % 200 == 0) supervisor.request(Mode::kWalk);
+    if (tick % 1000 < 700) supervisor.set_velocity({0.2, 0.0, 0.3});
+    if (tick % 1500 == 0) supervisor.request(Mode::kSit);
     if (tick % 9000 == 0) supervisor.stop();
     if (tick % 300 == 7) supervisor.update_without_state(0.004);
     if (tick % 12000 == 11) supervisor.report_link_lost();
@@ -322,8 +324,9 @@ int main() {
   const SupervisedCounts s = run_supervisor(robot);
   std::printf(
       "supervised, 25000 ticks: %ld allocations, %ld exceptions; passive %ld, rise %ld, "
-      "stand %ld, sit %ld, damping %ld\n",
-      s.allocations, s.exceptions, s.ticks[0], s.ticks[1], s.ticks[2], s.ticks[3], s.ticks[4]);
+      "stand %ld, walk %ld, sit %ld, damping %ld\n",
+      s.allocations, s.exceptions, s.ticks[0], s.ticks[1], s.ticks[2], s.ticks[3], s.ticks[4],
+      s.ticks[5]);
   for (const long ticks : s.ticks) good = good && ticks > 100;
   return good && s.allocations == 0 && s.exceptions == 0 ? 0 : 1;
 }

@@ -2,7 +2,6 @@
 #include "estimator/external_wrench/payload_observer.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace surefoot {
 
@@ -24,12 +23,6 @@ Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
   return size > max_force ? Vector3(max_force / size * value) : value;
 }
 
-// Return the rotation from heading axes (x forward, z up) to world axes.
-Matrix3 heading(const Dynamics& dynamics) noexcept {
-  const Matrix3& R = dynamics.R_world_base();
-  return exp_so3(std::atan2(R(1, 0), R(0, 0)) * Vector3::UnitZ()).toRotationMatrix();
-}
-
 }  // namespace
 
 void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
@@ -37,9 +30,8 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   const Vector3 linear = mass_ * dynamics.v_world_com();
   const Vector3& angular = dynamics.L_world_com();
   if (stepping) {
-    const Matrix3 R = heading(dynamics);
-    force_ = R * force_at_rest_;
-    moment_ = R * moment_at_rest_;
+    force_ = force_at_rest_;
+    moment_ = moment_at_rest_;
   }
   if (stepping || !supported) {
     reset_momentum(gains, linear, angular);
@@ -57,8 +49,8 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
     if (dynamics.v_world_com().norm() < kRestSpeed) {
       force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
       moment_ = limit_norm(-moment, kMaxLever * max_force);
-      force_at_rest_ = heading(dynamics).transpose() * force_;
-      moment_at_rest_ = heading(dynamics).transpose() * moment_;
+      force_at_rest_ = force_;
+      moment_at_rest_ = moment_;
     }
     reset_momentum(gains, linear, angular);
     started_ = true;
@@ -75,9 +67,8 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
 void PayloadObserver::average_at_rest(const Dynamics& dynamics, double dt) noexcept {
   if (dynamics.v_world_com().norm() > kRestSpeed) return;
   const double share = dt / (dt + kRestTime);
-  const Matrix3 R = heading(dynamics).transpose();
-  force_at_rest_ += share * (R * force_ - force_at_rest_);
-  moment_at_rest_ += share * (R * moment_ - moment_at_rest_);
+  force_at_rest_ += share * (force_ - force_at_rest_);
+  moment_at_rest_ += share * (moment_ - moment_at_rest_);
 }
 
 // Set the predicted momentum to the value with which the present momentum gives the present

@@ -52,8 +52,7 @@ class PayloadObserver {
   // [N.s], [N.m.s] Momentum predicted from contact forces, gravity and the estimated wrench.
   Vector3 linear_momentum_ = Vector3::Zero(), angular_momentum_ = Vector3::Zero();
   Vector3 force_ = Vector3::Zero(), moment_ = Vector3::Zero();
-  // Mean wrench of about the last second in which the robot stood at rest, heading axes: a payload
-  // turns with the robot.
+  // Mean wrench of about the last second in which the robot stood at rest.
   Vector3 force_at_rest_ = Vector3::Zero(), moment_at_rest_ = Vector3::Zero();
 };
 
