@@ -40,14 +40,14 @@ def test_short_fault_matrix_passes_with_takeover_while_standing() -> None:
     only = ("healthy/*/pushed", "nan_in_state/garbage/*", "operator_link/off/*", "battery/wrong/*")
     result = run_faults(FaultSettings("go1", seed=1, only=only, taken_over=True))
     assert result["failures"] == []
-    assert {cell["mode"] for cell in result["cells"]} == {"standing", "pushed"}
+    assert {cell["mode"] for cell in result["cells"]} == {"standing", "pushed", "walking"}
     # The robot stands from the start, so no rise takes time.
     assert all(cell["simulated_s"] < 15.0 for cell in result["cells"])
     assert {cell["ended"] for cell in result["cells"]} >= {"stand", "damping", "passive"}
 
 
 def test_takeover_excludes_cells_that_precede_standing() -> None:
-    assert len(choose_cells(taken_over=True)) < 0.6 * len(choose_cells())
+    assert len(choose_cells(taken_over=True)) < 0.65 * len(choose_cells())
     with pytest.raises(surefoot.Error, match="motor_order"):
         choose_cells(["motor_order/wrong/lying"], taken_over=True)
 
@@ -98,14 +98,14 @@ def test_every_reported_fault_is_injected() -> None:
     # None of these can be injected alone. An angle beyond its stop is also a jump, a push may trip
     # the power protection first, a torque step follows from another fault, and only surefoot run
     # knows the state of the link.
-    assert missing == {"slip", "tilt", "joint_stop", "torque_rate", "link"}
+    assert missing == {"tilt", "joint_stop", "torque_rate", "link"}
 
 
 def test_faults_command_lists_cells_and_refuses_invalid_arguments(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert cli.main(["faults", "--list", "--only", "tick_wrap/*"]) == 0
-    assert capsys.readouterr().out.count("tick_wrap/") == 8
+    assert capsys.readouterr().out.count("tick_wrap/") == 10
     assert cli.main(["faults", "--only", "nothing_such"]) == 2
     assert "nan_in_state" in capsys.readouterr().err
     assert cli.main(["faults", "--jobs", "0"]) == 2

@@ -19,7 +19,7 @@ from surefoot.sim.terrain import FIRST_EDGE
         ({"step_height": float("nan")}, "terrain: step_height: got nan"),
         ({"step_height": "high"}, "terrain: step_height: got 'high'"),
         ({"step_height": 0.1, "step_heading_deg": 80.0}, "terrain: step_heading_deg: got 80"),
-        ({"step_heading_deg": 30.0}, "got step_heading_deg 30 without a step_height"),
+        ({"step_heading_deg": 30.0}, "got step_heading_deg 30 without step_height"),
         ({"stairs_height": 0.05, "stairs_tread": 0.0}, "terrain: stairs_tread: got 0"),
         ({"block_height": float("inf")}, "terrain: block_height: got inf"),
         (

@@ -83,6 +83,8 @@ def test_log_across_a_robot_restart_uses_the_run_clock(tmp_path: Path) -> None:
             time=0.002 * np.arange(len(ticks)),
             has_new_state=np.ones(len(ticks), dtype=bool),
             mode=np.full(len(ticks), surefoot.Mode.STAND.value),
+            velocity=np.zeros((len(ticks), 3)),
+            gait=np.full(len(ticks), surefoot.Gait.AUTO.value),
             damping_fault=np.full(len(ticks), surefoot.FaultId.NONE.value),
             samples=samples,
             commands=np.zeros((len(ticks), len(surefoot.LowCmd().raw)), dtype=np.uint8),

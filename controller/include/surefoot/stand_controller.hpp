@@ -41,9 +41,12 @@ class StandController : public Controller {
   double capture_margin_without(int leg) const noexcept;
 
  protected:
+  /// Create a controller with a planner that a derived class configures.
   StandController(const Robot& robot, std::shared_ptr<WalkPlanner> planner, const Gains& gains,
                   const ControllerOptions& options);
+  /// Return the planner of stand and walk. Real-time: yes.
   WalkPlanner& planner() noexcept { return *planner_; }
+  /// The same, for reading. Real-time: yes.
   const WalkPlanner& planner() const noexcept { return *planner_; }
 
  private:

@@ -62,8 +62,9 @@ class WalkController : public StandController {
   Eigen::Vector4d planned_loads() const noexcept;
 
  protected:
-  /// Create a controller without the check that the robot can walk.
+  /// Selects the constructor without the check that the robot can walk.
   struct Unchecked {};
+  /// Create a controller without the check that the robot can walk.
   WalkController(Unchecked, const Robot& robot, const Gains& gains, const WalkOptions& options);
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRateLimitedTime = 0.008;
 // [s] The same while feet step: loads move from one pair of feet to the other, and the torques are
 // limited for up to 40 ms (go1) and 100 ms (b1) in each step.
-constexpr double kSteppingRateLimitedTime = 0.15;
+constexpr double kSteppingRateLimitedTime = 0.3;
 
 }  // namespace
 

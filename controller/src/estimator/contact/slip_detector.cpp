@@ -14,8 +14,9 @@ constexpr double kFilterTime = 0.01;
 // [s] Time after touchdown for which a moving foot does not count as slipping. Longer than
 // contact_dwell, 10 ms. If larger: the robot relies for longer on the friction of a slipping foot.
 constexpr double kSettlingTime = 0.03;
-// [s] The same while feet step: a soft sole still slides for 20 to 50 ms, while its load grows.
-constexpr double kSteppingSettlingTime = 0.06;
+// [s] The same while feet step: a soft sole still slides for 20 to 50 ms, while its
+// load grows; on a b1 for up to 80 ms.
+constexpr double kSteppingSettlingTime = 0.09;
 // [s] Time after the last step for which soles still sink, so that the rules of stepping hold.
 constexpr double kAfterSteps = 0.3;
 // [s] Duration of slipping that raises slip() from 0 to 1. Longer than single samples. If larger: a

@@ -125,7 +125,7 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kTorqueRate, kWatch, 0.010, kClearsByItself,
      "the StandController's torques have been rate-limited, to 9.5 % of their limits in 2 ms, "
      "for 8 ms; no other reaction",
-     "they have been limited for 150 ms: each step limits them for a while", 0.152},
+     "they have been limited for 300 ms: each step limits them for a while", 0.302},
     {FaultId::kProgram, kWatch, 0.002, kClearsByItself,
      "the StandController's QP was not solved at the first attempt; a cold solve replaces it, "
      "or fallback commands for at most 10 ms"},
