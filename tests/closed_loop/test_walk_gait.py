@@ -27,8 +27,8 @@ def walk(gait: Gait, velocities: list[str], *references: str, duration: float) -
     )
 
 
-# [m/s], [rad/s] Largest mean error. Required: 0.02. Measured: 0.035 sideways in the gait walk, 0.023 in a trot with
-# the body 4 cm higher; the other errors are below 0.02.
+# [m/s], [rad/s] Largest mean error; required: 0.02. Measured: 0.035 sideways in the gait walk, and
+# 0.023 in a trot with the body 4 cm higher; the other errors are below 0.02.
 MEAN_ERROR = 0.04
 
 

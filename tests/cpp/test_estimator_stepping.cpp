@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(sole_that_sinks_or_lifts_off_is_no_slip_if_the_feet_step) {
     FeetMatrix v = FeetMatrix::Zero();
     v.col(RR_) = velocity;
     const Eigen::Vector4d contact = Eigen::Vector4d::Ones(), loads = load * contact;
-    for (int k = 0; k < 0.1 / kPeriod; ++k) {
+    for (int k = 0; k < 0.15 / kPeriod; ++k) {
       slip.update(Gains(), {v, contact, loads, Vector3::UnitZ(), stepping}, kPeriod);
     }
     return slip.slip()[RR_];
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(slip_is_forgotten_at_lift_off_only_if_the_feet_step) {
       for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, input, kPeriod);
     };
     v(0, RR_) = 0.5;
-    run(0.1);
+    run(0.15);
     BOOST_TEST(slip.slip()[RR_] == 1.0);  // also if the feet step
     v.setZero();
     contact[RR_] = 0.0;
