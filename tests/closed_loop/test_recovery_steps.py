@@ -84,7 +84,7 @@ def test_pushed_robot_steps_and_stands_again_in_its_nominal_stance(
 
 
 # On soft soles the estimated velocity errs by up to 1 m/s in a hard landing, so some pushes are not
-# survived: 85 to 100 % of them, by seed and robot (docs/benchmarks/pushes.md).
+# survived (docs/benchmarks/pushes.md).
 def test_pushed_robot_on_soft_soles_survives_most_pushes() -> None:
     recoveries = [push("go1", 45.0 * k, 1.35, soft_soles=True) for k in range(8)]
     survivors = [recovery for recovery in recoveries if not recovery.fell]
