@@ -102,7 +102,7 @@ def test_operator_keys_arm_rise_and_sit_the_robot() -> None:
         time.sleep(0.5)  # until the torques have faded in
         terminal.press("\x04u\n")  # Ctrl-D does not end the run
         terminal.shows("keys still work")
-        terminal.shows("up refused: not while standing: d sits down")
+        terminal.shows("up refused: not while standing: w walks, d sits down")
         terminal.press("d\n")
         terminal.shows(" sitting")
         terminal.shows(" passive")
