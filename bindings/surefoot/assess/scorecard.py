@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.assess.condition import Condition, read_condition
-from surefoot.robot.robot_toml import read_toml, suggest
+from surefoot.assess.condition import Condition
+from surefoot.assess.scorecard_file import read_scorecard_file
 from surefoot.robot.setting_checks import check_integer, check_numbers, check_unique
 
 NOMINAL_CONDITION = "level ground"
@@ -139,28 +139,10 @@ def read_scorecard(path: str | Path, name: str | None = None) -> Scorecard:
     Raises:
         Error: The file cannot be read, is not valid TOML, or has an unknown key or invalid value.
     """
-    table = read_toml(Path(path))
-    try:
-        return _scorecard_from_table(table, name or Path(path).stem)
-    except (Error, TypeError) as problem:
-        raise Error(f"scorecard file '{path}': {problem}") from None
+    return read_scorecard_file(Scorecard, path, name, _make_tuples)
 
 
-def _scorecard_from_table(table: dict[str, Any], name: str) -> Scorecard:
-    valid = [f.name for f in fields(Scorecard) if f.name not in ("name", "conditions")] + [
-        "condition"
-    ]
-    for key in table:
-        if key not in valid:
-            hint = suggest(key, valid)
-            raise Error(f"unknown key '{key}'{hint}; valid names: {', '.join(valid)}")
-    values = {key: value for key, value in table.items() if key != "condition"}
+def _make_tuples(values: dict[str, Any]) -> None:
     for key in ("lengths_s", "heights_m"):
         if isinstance(values.get(key), list):
             values[key] = tuple(values[key])
-    tables = table.get("condition", [])
-    if not isinstance(tables, list):
-        raise Error(f"condition: got {tables!r}, expected tables [[condition]]")
-    if tables:
-        values["conditions"] = tuple(read_condition(entry) for entry in tables)
-    return Scorecard(name=name, **values)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.assess.condition import Condition, read_condition
+from surefoot.assess.condition import Condition
 from surefoot.assess.scorecard import MAX_COUNT, MAX_SEED, NOMINAL_CONDITION
-from surefoot.robot.robot_toml import read_toml, suggest
+from surefoot.assess.scorecard_file import read_scorecard_file
 from surefoot.robot.setting_checks import check_integer, check_number, check_numbers
 
 Velocity = tuple[float, float, float]
@@ -109,29 +109,12 @@ def read_walk_scorecard(path: str | Path, name: str | None = None) -> WalkScorec
     Raises:
         Error: The file cannot be read, is not valid TOML, or has an unknown key or invalid value.
     """
-    table = read_toml(Path(path))
-    try:
-        return _scorecard_from_table(table, name or Path(path).stem)
-    except (Error, TypeError) as problem:
-        raise Error(f"scorecard file '{path}': {problem}") from None
+    return read_scorecard_file(WalkScorecard, path, name, _make_tuples)
 
 
-def _scorecard_from_table(table: dict[str, Any], name: str) -> WalkScorecard:
-    valid = [f.name for f in fields(WalkScorecard) if f.name not in ("name", "conditions")]
-    valid.append("condition")
-    for key in table:
-        if key not in valid:
-            hint = suggest(key, valid)
-            raise Error(f"unknown key '{key}'{hint}; valid names: {', '.join(valid)}")
-    values = {key: value for key, value in table.items() if key != "condition"}
+def _make_tuples(values: dict[str, Any]) -> None:
     for key in _VELOCITY_KEYS:
         if isinstance(values.get(key), list):
             values[key] = tuple(tuple(v) if isinstance(v, list) else v for v in values[key])
     if isinstance(values.get("condition_velocity"), list):
         values["condition_velocity"] = tuple(values["condition_velocity"])
-    tables = table.get("condition", [])
-    if not isinstance(tables, list):
-        raise Error(f"condition: got {tables!r}, expected tables [[condition]]")
-    if tables:
-        values["conditions"] = tuple(read_condition(entry) for entry in tables)
-    return WalkScorecard(name=name, **values)
