@@ -14,12 +14,43 @@ from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.push_outcome import FAILED_OUTCOME, PushOutcome, judge_push, run_duration
 from surefoot.assess.rollout import TickCallback, TrueTrajectory, roll_out
 from surefoot.assess.stand_outcome import HOLD_TIME, judge_stand
-from surefoot.assess.sweep import FINEST_STEP, MIN_LEVEL, outcome_rows, run_sweep
+from surefoot.assess.sweep import FINEST_STEP, MIN_LEVEL, Sweep, outcome_rows, run_sweep
 from surefoot.files.json_values import json_value
 from surefoot.sim import Push
 
 Heartbeat = Callable[[], None]
 """Function that a unit calls before its first run and after every run, to show its progress."""
+
+
+def sweep_pushes(
+    push: Callable[[float], PushOutcome],
+    start_level: float,
+    finest_step: float,
+    heartbeat: Heartbeat,
+) -> tuple[Sweep, dict[str, str]]:
+    """Run a sweep in which the controller may fail.
+
+    Args:
+        push: Function that pushes with a level; a ControllerFailure counts as not survived.
+        start_level: First level of the sweep [% of the push limit].
+        finest_step: Smallest step of the sweep [% of the push limit].
+        heartbeat: Function that is called after every push.
+
+    Returns:
+        The sweep, and {"broken": text of the first failure}; empty if there was none.
+    """
+    broken: dict[str, str] = {}
+
+    def checked_push(level: float) -> PushOutcome:
+        try:
+            return push(level)
+        except ControllerFailure as problem:
+            broken.setdefault("broken", str(problem))
+            return FAILED_OUTCOME
+        finally:
+            heartbeat()
+
+    return run_sweep(checked_push, start_level, finest_step), broken
 
 
 @dataclass(frozen=True)
@@ -61,21 +92,15 @@ class PushUnit:
         If the controller fails during a push, the push counts as not survived, and the key "broken"
         has the text of the first failure.
         """
-        broken: dict[str, str] = {}
 
         def push(level: float) -> PushOutcome:
-            try:
-                trajectory = self.simulate(source, controller_under_test, level)
-            except ControllerFailure as problem:
-                broken.setdefault("broken", str(problem))
-                return FAILED_OUTCOME
-            finally:
-                heartbeat()
+            trajectory = self.simulate(source, controller_under_test, level)
             return judge_push(trajectory, self.condition.quiet_s, self.duration)
 
         plant_of(source, self.condition)
         heartbeat()  # building the plant must not count against the deadline of a run
-        return {"rows": outcome_rows(run_sweep(push, self.start_level, self.finest_step)), **broken}
+        sweep, broken = sweep_pushes(push, self.start_level, self.finest_step, heartbeat)
+        return {"rows": outcome_rows(sweep), **broken}
 
     def simulate(
         self,

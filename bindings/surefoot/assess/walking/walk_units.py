@@ -7,17 +7,15 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from surefoot.assess.checked_controller import ControllerFailure
 from surefoot.assess.condition import Condition
 from surefoot.assess.condition_plant import RobotSource, loop_delay
 from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.push_outcome import PushOutcome
-from surefoot.assess.sweep import run_sweep
 from surefoot.assess.walking.true_walk import TrueWalk
 from surefoot.assess.walking.walk_figures import walk_figures
 from surefoot.assess.walking.walk_rollout import Schedule, walk_out, walking_plant_of
 from surefoot.assess.walking.walk_scorecard import Velocity
-from surefoot.assess.work_units import Heartbeat
+from surefoot.assess.work_units import Heartbeat, sweep_pushes
 from surefoot.files.json_values import json_value
 from surefoot.sim import Push
 from surefoot.walk.push_recovery import recovered_ticks
@@ -112,21 +110,14 @@ class WalkPushUnit:
         If the controller fails during a push, the push counts as not survived, and the key "broken"
         has the text of the first failure.
         """
-        broken: dict[str, str] = {}
 
         def push(level: float) -> PushOutcome:
-            try:
-                passed = self._survives(source, controller_under_test, level)
-            except ControllerFailure as problem:
-                broken.setdefault("broken", str(problem))
-                passed = False
-            finally:
-                heartbeat()
+            passed = self._survives(source, controller_under_test, level)
             return PushOutcome(passed, passed, None, None, None)
 
         walking_plant_of(source, self.condition)
         heartbeat()  # building the plant must not count against the deadline of a run
-        sweep = run_sweep(push, self.start_level, PUSH_STEP)
+        sweep, broken = sweep_pushes(push, self.start_level, PUSH_STEP, heartbeat)
         return {"percent_of_lip": sweep.largest_passed("survived"), **broken}
 
     def _survives(
