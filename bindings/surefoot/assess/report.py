@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
@@ -13,6 +12,7 @@ from surefoot.assess.report_tables import conditions_html, faults_html, push_tab
 from surefoot.assess.sweep import percent_text
 from surefoot.reports.page import page_html, plots_html, tiles_html
 from surefoot.reports.plots import draw_plots
+from surefoot.reports.report_folder import write_figures
 
 _STYLE = """<style>
 .rows td:nth-child(n) { text-align: right; color: var(--ink); white-space: nowrap; }
@@ -33,9 +33,7 @@ def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Pat
     Raises:
         OSError: A file cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(card, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(card, folder)
     plots = plots_of(card)
     draw_plots(plots, card, folder)
     parts = [

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Sequence
 from html import escape
@@ -15,6 +14,7 @@ from matplotlib.figure import Figure
 from surefoot.bench.result_text import bench_text
 from surefoot.bench.run import WHOLE_CALLS, Bench
 from surefoot.reports.plots import BLUE, GREY, ORANGE, STYLE
+from surefoot.reports.report_folder import write_figures
 
 _COLOURS = dict(zip(WHOLE_CALLS, (BLUE, ORANGE, GREY), strict=True))
 _PAGE = """<!doctype html><meta charset="utf-8"><title>{title}</title>
@@ -27,9 +27,7 @@ background: #f4f6f8; padding: 12px; font-size: 12px }}</style>
 
 def write_bench_report(bench: Bench, folder: Path, command: Sequence[str]) -> Path:
     """Write index.html, one plot per scenario and bench.json; return the path of index.html."""
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(bench.figures, indent=2, allow_nan=False)
-    (folder / "bench.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(bench.figures, folder, "bench.json")
     pictures = []
     for scenario in bench.series:
         name = f"{scenario}.png"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,6 +11,7 @@ from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.plots import PLOTS
 from surefoot.estimate.report_html import render_page
 from surefoot.reports.plots import draw_plots
+from surefoot.reports.report_folder import write_figures
 
 
 def write_report(
@@ -32,9 +32,7 @@ def write_report(
         OSError: The folder or a file cannot be written.
     """
     folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(summary, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(summary, folder)
     draw_plots(PLOTS, estimate, folder)
     page = folder / "index.html"
     page.write_text(render_page(summary, shlex.join(command)), encoding="utf-8")

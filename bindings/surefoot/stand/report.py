@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
 from surefoot.reports.plots import Plot, draw_plots
+from surefoot.reports.report_folder import write_figures
 from surefoot.stand.film import write_film
 from surefoot.stand.plots import PLOTS
 from surefoot.stand.report_html import render_page
@@ -66,9 +66,7 @@ def write_folder(
         page: Function that returns the page.
         progress: Function that is called after every frame of the film.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(summary, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(summary, folder)
     draw_plots(plots, log, folder)
     film_error = _try_film(log, folder / FILM, progress)
     path = folder / "index.html"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 from surefoot.assess.report_tables import table_html
 from surefoot.assess.walking.walk_tables import walk_tables
 from surefoot.reports.page import page_html
+from surefoot.reports.report_folder import write_figures
 
 
 def write_walk_report(card: dict[str, Any], folder: Path, command: str) -> Path:
@@ -23,9 +23,7 @@ def write_walk_report(card: dict[str, Any], folder: Path, command: str) -> Path:
     Raises:
         OSError: A file cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(card, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(card, folder)
     parts = [
         f"<h1>{escape(card['robot'])}, {escape(card['controller'])}</h1>",
         f'<p class="soft">{escape(card["card"])} walking scorecard</p>',

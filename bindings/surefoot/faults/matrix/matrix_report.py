@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from surefoot.faults.matrix.matrix_text import by_injection
 from surefoot.faults.matrix.plots import PLOTS
 from surefoot.reports.page import page_html, plots_html, tiles_html
 from surefoot.reports.plots import draw_plots
+from surefoot.reports.report_folder import write_figures
 
 _STYLE = """<style>
 .matrix td:nth-child(n) { text-align: left; color: var(--ink); white-space: normal; }
@@ -32,9 +32,7 @@ def write_faults_report(result: dict[str, Any], folder: Path, command: str) -> P
     Raises:
         OSError: A file cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(result, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(result, folder)
     draw_plots(PLOTS, result, folder)
     page = folder / "index.html"
     page.write_text(_page(result, command), encoding="utf-8")

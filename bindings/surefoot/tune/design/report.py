@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Sequence
 from html import escape
@@ -11,6 +10,7 @@ from typing import Any
 
 from surefoot.reports.page import page_html, plots_html
 from surefoot.reports.plots import draw_plots
+from surefoot.reports.report_folder import write_figures
 from surefoot.tune.design.gain_design import Design
 from surefoot.tune.design.plots import PLOTS
 from surefoot.tune.design.text import design_text
@@ -27,9 +27,7 @@ def write_report(
         folder: Folder of the report, created if missing.
         words: Arguments of the command surefoot, shown on the page.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(summary, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(summary, folder)
     draw_plots(PLOTS, design, folder)
     page = folder / "index.html"
     page.write_text(_page(design, shlex.join(["surefoot", *words])), encoding="utf-8")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from PIL import Image
 from surefoot._core import Gains
 from surefoot.reports.page import page_html, plots_html, tiles_html
 from surefoot.reports.plots import draw_plots
+from surefoot.reports.report_folder import write_figures
 from surefoot.robot.gain_files import save_gains
 from surefoot.sim import Plant
 from surefoot.sim.render import Renderer
@@ -35,9 +35,7 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
         folder: Folder of the report, created if missing.
         command: Command that started the search.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(summary, indent=2, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_figures(summary, folder)
     name = summary["robot"] if isinstance(summary["robot"], str) else None
     save_gains(folder / GAINS, result.best.gains, name, gains_provenance(summary, command))
     episode = result.settings.held_out_episodes[0]
