@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import bisect
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from surefoot import LowCmd, LowState, StandController
+from surefoot import LowCmd, LowState, StandController, WalkController, WalkVelocity
 from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.stand import PushRequest, ReferenceRequest
@@ -31,6 +32,8 @@ class Scenario:
         lifts: External lifts.
         references: Body references.
         steps: Steps of the robot; with steps, a Stepper replaces the StandController.
+        velocities: Times [s] and velocity commands, in order of time; with velocities, a
+            WalkController replaces the StandController.
     """
 
     robot: str
@@ -40,6 +43,7 @@ class Scenario:
     lifts: tuple[Lift, ...] = ()
     references: tuple[ReferenceRequest, ...] = field(default=())
     steps: tuple[Step, ...] = ()
+    velocities: tuple[tuple[float, WalkVelocity], ...] = ()
 
 
 def record(scenario: Scenario) -> Log:
@@ -70,6 +74,8 @@ def _make_control(scenario: Scenario, plant: Plant) -> Callable[[int, LowState],
     if scenario.steps:
         stepper = Stepper(plant, scenario.steps)
         return lambda _row, _state: stepper.update()
+    if scenario.velocities:
+        return _make_walk(scenario, plant)
     controller = StandController(plant.robot, plant.robot.config.gains)
     references = body_references(scenario.references, plant.settings.control_rate)
 
@@ -79,6 +85,18 @@ def _make_control(scenario: Scenario, plant: Plant) -> Callable[[int, LowState],
         return controller.update(state)
 
     return stand
+
+
+def _make_walk(scenario: Scenario, plant: Plant) -> Callable[[int, LowState], LowCmd]:
+    controller = WalkController(plant.robot, plant.robot.config.gains)
+    times = [time for time, _ in scenario.velocities]
+
+    def walk(row: int, state: LowState) -> LowCmd:
+        count = bisect.bisect_right(times, row / plant.settings.control_rate)
+        controller.set_velocity(scenario.velocities[count - 1][1] if count else WalkVelocity())
+        return controller.update(state)
+
+    return walk
 
 
 def _single_entries(scenario: Scenario, plant: Plant) -> Log:

@@ -69,6 +69,9 @@ void bind_report(nb::module_& m) {
       .def_ro("rejected_feet", &R::rejected_feet,
               "For each foot, whether the innovation gate rejected it in the last update, 4\n"
               "booleans.")
+      .def_ro("sole_compliance", &R::sole_compliance,
+              "Depth [m] by which a sole would yield under the weight of the robot; 0 for\n"
+              "rigid soles.")
       .def_ro("f_sustained", &R::f_sustained,
               "Sustained external force [N], world axes, shape (3,).")
       .def_ro("moment_external", &R::moment_external,

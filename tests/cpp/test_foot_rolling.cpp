@@ -77,7 +77,7 @@ BOOST_FIXTURE_TEST_CASE(rolling_displacement_matches_contact_points_without_slip
 BOOST_FIXTURE_TEST_CASE(filter_contact_points_follow_joint_angles_across_a_sample_gap,
                         RollingFeetFixture) {
   FootMotionModel foot_motion;
-  const Vector3 lever = robot.config().foot_radius * Vector3::UnitZ();
+  const FeetMatrix lever = (robot.config().foot_radius * Vector3::UnitZ()).replicate<1, kLegs>();
   const auto roll = [&](double dt) {
     Vector12 q;
     for (int i = 0; i < kMotors; ++i) q[i] = state.q[robot.motor_to_q()[i]];

@@ -69,6 +69,7 @@ struct Random {
     m.gyroscope_drift_variance = positive();
     m.accelerometer_drift_variance = positive();
     m.vertical_drift_variance = positive();
+    m.sole_drift_variance = positive();
     m.up_base = R.row(2);
     m.accelerometer_bias_decay = 1.0 / (1.0 + positive());
     return m;
@@ -97,6 +98,7 @@ Covariance process_noise(const ErrorPropagation& m) {
     Q.block<3, 3>(foot, foot) += m.foot_variance[leg] * Matrix3::Identity();
   }
   Q.block<3, 3>(kGyroscopeBias, kGyroscopeBias) = m.gyroscope_drift_variance * Matrix3::Identity();
+  Q(kSole, kSole) = m.sole_drift_variance;
   Q.block<3, 3>(kAccelerometerBias, kAccelerometerBias) =
       m.accelerometer_drift_variance * Matrix3::Identity() +
       m.vertical_drift_variance * m.up_base * m.up_base.transpose();
@@ -126,6 +128,14 @@ Eigen::Vector4d unobservable_information(const Covariance& P) {
     for (int part = kPosition; part < kGyroscopeBias; part += 3) together[part + axis] = 1.0;
     out[axis] = together.dot(information * together);
   }
+  return out;
+}
+
+FeetInput feet_input(const FeetMatrix& y, double variance, const Vector3& lever = Vector3::Zero()) {
+  FeetInput out;
+  out.y_base = y;
+  out.variance.setConstant(variance);
+  out.lever = lever;
   return out;
 }
 
@@ -164,7 +174,9 @@ struct SwayingBase {
   }
   void start(const InitialSigmas& sigmas, const Quaternion& wrong = Quaternion::Identity(),
              const Vector3& wrong_v = Vector3::Zero()) {
-    filter.reset(wrong * R(0.0), v(0.0) + wrong_v, p(0.0), feet, sigmas);
+    InitialSigmas with_sole = sigmas;
+    with_sole.sole = 1e-3;  // no variance is zero, so the covariance has an inverse
+    filter.reset(wrong * R(0.0), v(0.0) + wrong_v, p(0.0), feet, with_sole);
   }
   FeetMatrix foot_measurements() {
     FeetMatrix y = R(t).conjugate().toRotationMatrix() * (feet.colwise() - p(t));
@@ -187,7 +199,7 @@ struct SwayingBase {
   }
   void correct(const FeetMatrix& y) {
     const double sigma = gains.noise_foot_position;
-    filter.correct(y, Eigen::Vector4d::Constant(sigma * sigma), gains.gate_foot, lever);
+    filter.correct(feet_input(y, sigma * sigma, lever), gains.gate_foot);
   }
   // Change the ground normal: a round sole then touches the ground at another point.
   void tilt_ground() {
@@ -287,6 +299,8 @@ BOOST_AUTO_TEST_CASE(covariance_correction_matches_the_dense_joseph_form) {
     Rows H = measurement(round % kLegs);
     const Vector3 lever = round % 2 ? Vector3(0.01, -0.02, 0.03) : Vector3(Vector3::Zero());
     H.leftCols<3>() -= skew(lever);
+    const Vector3 load(0.1 * (round % 3), -0.2, 0.3);
+    H.col(kSole) = load;
     const Matrix3 A = random.rotation();
     const Matrix3 R = A * Vector3(0.1, 0.2, 0.5).asDiagonal() * A.transpose();
     const Eigen::Matrix<double, kSize, 3> W = before * H.transpose();
@@ -294,7 +308,7 @@ BOOST_AUTO_TEST_CASE(covariance_correction_matches_the_dense_joseph_form) {
     Eigen::Matrix<double, kSize, 3> K = W * S.inverse();
     if (round % 2) K += 0.1 * Eigen::Matrix<double, kSize, 3>::Random();
     ErrorCovariance::Columns w, k;
-    P.project(round % kLegs, lever, w);
+    P.project(round % kLegs, lever, load, w);
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < kSize; ++i) BOOST_REQUIRE(std::abs(w[j][i] - W(i, j)) < 1e-12);
     }
@@ -322,10 +336,11 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
     motion.gyroscope_drift_variance *= 1e-10;
     motion.accelerometer_drift_variance *= 1e-8;
     motion.vertical_drift_variance *= 1e-8;
+    motion.sole_drift_variance *= 1e-8;
     P.propagate(motion);
     const int leg = round % kLegs;
     ErrorCovariance::Columns W, K;
-    P.project(leg, Vector3::Zero(), W);
+    P.project(leg, Vector3::Zero(), Vector3::Zero(), W);
     Matrix3 S;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) S(i, k) = W[k][kPosition + i] - W[k][kFeet + 3 * leg + i];
@@ -596,7 +611,7 @@ BOOST_AUTO_TEST_CASE(measurement_is_recomputed_after_10_mrad_of_lever_rotation) 
     for (const double& angle : angles) {
       // All corrections but the last have almost no information; they only set the lever.
       const bool measures = &angle == std::prev(angles.end());
-      filter.correct(y, Eigen::Vector4d::Constant(measures ? 1e-6 : 1e15), 4.0, lean(angle));
+      filter.correct(feet_input(y, measures ? 1e-6 : 1e15, lean(angle)), 4.0);
     }
     return to_dense(filter.covariance());
   };
@@ -665,7 +680,7 @@ BOOST_FIXTURE_TEST_CASE(foot_innovation_between_one_and_five_gates_is_downweight
     InvariantFilter one = filter;
     FeetMatrix y = foot_measurements();
     y.col(FL_).x() += jump;
-    one.correct(y, Eigen::Vector4d::Constant(4e-6), gate, Vector3::Zero());
+    one.correct(feet_input(y, 4e-6), gate);
     BOOST_TEST(!one.rejected_feet()[FL_]);
     return one.feet().col(FL_).x() - filter.feet().col(FL_).x();
   };
@@ -687,8 +702,9 @@ BOOST_AUTO_TEST_CASE(foot_noise_is_estimated_from_innovations) {
   const auto run = [&](double seconds) {
     for (int k = 0; k < seconds / kPeriod; ++k) {
       sway.predict();
-      sway.filter.correct(sway.foot_measurements(), noise.variance(), sway.gains.gate_foot,
-                          Vector3::Zero());
+      FeetInput feet = feet_input(sway.foot_measurements(), 0.0);
+      feet.variance = noise.variance();
+      sway.filter.correct(feet, sway.gains.gate_foot);
       noise.update(sway.filter.foot_nis(), sway.filter.predicted_variance(), standing, kPeriod);
     }
   };

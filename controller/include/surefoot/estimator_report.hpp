@@ -58,6 +58,8 @@ struct EstimatorReport {
   double nis = 0.0;       ///< normalised innovation squared of the foot measurements, last update
   int nis_dimension = 0;  ///< dimension of nis: 3 for each foot that was used
   std::array<bool, kLegs> rejected_feet{};  ///< true: the innovation gate rejected the foot
+  /// [m] Depth by which a sole would yield under the weight of the robot; 0 for rigid soles.
+  double sole_compliance = 0.0;
 
   Vector3 f_sustained = Vector3::Zero();  ///< [N] sustained external force, world axes
   /// [N.m] Sustained external moment about the centre of mass, world axes.

@@ -33,6 +33,10 @@ constexpr double kRestRate = 0.2;
 constexpr double kSupportedShare = 0.4;
 // Limit of the sum of the contact confidences. Derived: half-way between two and three feet.
 constexpr double kMinContactSum = 2.5;
+// Share of the sink of a sole by which the lever of its rolling is shorter than the radius of the
+// foot. Chosen: half-way between a rigid sole, which rolls about its lowest point, and the plane of
+// the ground. The effective radius of tyres is shorter by a third of the sink.
+constexpr double kRollingShare = 0.5;
 
 }  // namespace
 
@@ -49,7 +53,8 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 void StateEstimator::Impl::predict(double dt) noexcept {
   imu_input = imu_filter_input.update(gains, imu, filter, dynamics, state.contact, stepping, dt);
   if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
-  filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt));
+  filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt),
+                 sole_load.process_variance(robot.config().foot_radius, dt));
   w_base = imu_input.w_base - filter.gyroscope_bias();
   w_filtered += dt / (dt + kRateFilterTime) * (w_base - w_filtered);
   alpha_base = (w_base - w_filtered) / kRateFilterTime;
@@ -107,18 +112,27 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
   state.friction = slip.friction(gains);
+  // Without torques, the feet in contact share the weight equally.
+  sole_load.update(
+      torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),
+      dt);
 }
 
 void StateEstimator::Impl::correct(double dt) noexcept {
   const Matrix3& R = dynamics.R_world_base();
   const Vector3 arm = robot.config().p_base_imu;
-  const Vector3 lever = robot.config().foot_radius * normal;
-  filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, lever, dt));
-  FeetMatrix y_base;
+  FeetInput feet;
+  feet.lever = robot.config().foot_radius * normal;
+  feet.variance = foot_noise.variance();
+  feet.load = normal * sole_load.load().transpose();
+  feet.load_changes = sole_load.changes();
+  const FeetMatrix rolling_lever =
+      (-kRollingShare * filter.sole_compliance() * feet.load).colwise() + feet.lever;
+  filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, rolling_lever, dt));
   for (int leg = 0; leg < kLegs; ++leg) {
-    y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
+    feet.y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
   }
-  filter.correct(y_base, foot_noise.variance(), gains.gate_foot, lever);
+  filter.correct(feet, gains.gate_foot);
   align();
   std::array<bool, kLegs> stance;
   int stance_count = 0, rejected_count = 0;

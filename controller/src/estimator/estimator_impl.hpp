@@ -5,6 +5,7 @@
 #include "estimator/contact/foot_clearance.hpp"
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
+#include "estimator/contact/sole_load.hpp"
 #include "estimator/contact/torque_check.hpp"
 #include "estimator/external_wrench/payload_observer.hpp"
 #include "estimator/external_wrench/push_observer.hpp"
@@ -59,6 +60,7 @@ struct StateEstimator::Impl {
   TorqueCheck torque_check;
   LegForces leg_forces;
   ContactConfidence contact;
+  SoleLoad sole_load;
   SlipDetector slip;
   FootClearance clearance;
   PayloadObserver payload;

@@ -25,6 +25,11 @@ constexpr double kAgreementTilt = 0.05;
 // 0.6 deg, the tilt error that an unobservable accelerometer bias causes.
 constexpr double kAlignedTiltSigma = 0.035;
 
+// [foot radius] Initial standard deviation of the depth by which soles yield under the weight of
+// the robot. Chosen: a sole of rubber yields by less than half of its radius under the load of a
+// trotting foot, half of the weight.
+constexpr double kSoleSigma = 1.0;
+
 // Remove the heading from an attitude, because the world frame has the heading of the base at the
 // first sample.
 Quaternion remove_yaw(const Quaternion& R) noexcept {
@@ -79,6 +84,7 @@ void StateEstimator::Impl::reset() noexcept {
   torque_check.reset();
   leg_forces.reset();
   contact.reset();
+  sole_load.reset();
   slip.reset();
   clearance.reset();
   payload.reset();
@@ -131,7 +137,8 @@ void StateEstimator::Impl::align() noexcept {
   const auto& P = filter.covariance();
   if (aligned || P(0, 0) + P(1, 1) > kAlignedTiltSigma * kAlignedTiltSigma) return;
   filter.reset_covariance({kMinTiltSigma, gains.start_velocity, gains.noise_foot_position,
-                           gains.start_gyroscope_bias, gains.start_accelerometer_bias});
+                           gains.start_gyroscope_bias, gains.start_accelerometer_bias,
+                           kSoleSigma * robot.config().foot_radius});
   aligned = true;
 }
 

@@ -55,6 +55,7 @@ EstimatorReport StateEstimator::report() const noexcept {
   out.nis = s.filter.nis();
   out.nis_dimension = s.filter.nis_dimension();
   out.rejected_feet = s.filter.rejected_feet();
+  out.sole_compliance = s.filter.sole_compliance();
   out.f_sustained = s.payload.force();
   out.moment_external = s.payload.moment();
   out.payload = s.payload.mass();

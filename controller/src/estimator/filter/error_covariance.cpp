@@ -91,6 +91,7 @@ void ErrorCovariance::propagate(const ErrorPropagation& motion) noexcept {
   }
   add_variance(kGyroscopeBias, 3, motion.gyroscope_drift_variance);
   add_variance(kAccelerometerBias, 3, motion.accelerometer_drift_variance);
+  P_[kSole][kSole] += motion.sole_drift_variance;
   for (int k = 0; k < 3; ++k) {
     for (int i = k; i < 3; ++i)
       P_[kAccelerometerBias + k][kAccelerometerBias + i] +=
@@ -98,7 +99,8 @@ void ErrorCovariance::propagate(const ErrorPropagation& motion) noexcept {
   }
 }
 
-void ErrorCovariance::project(int leg, const Vector3& lever, Columns& out) const noexcept {
+void ErrorCovariance::project(int leg, const Vector3& lever, const Vector3& load,
+                              Columns& out) const noexcept {
   for (int k = 0; k < 3; ++k) {
     const int p = kPosition + k, d = kFeet + 3 * leg + k;
     for (int i = 0; i < p; ++i) out[k][i] = P_[i][p] - P_[i][d];
@@ -109,7 +111,8 @@ void ErrorCovariance::project(int leg, const Vector3& lever, Columns& out) const
     Vector3 turn;  // entries of row i in the three rotation columns
     for (int j = 0; j < 3; ++j) turn[j] = i >= j ? P_[kRotation + j][i] : P_[i][kRotation + j];
     const Vector3 moved = turn.cross(lever);
-    for (int k = 0; k < 3; ++k) out[k][i] += moved[k];
+    const double sole = P_[i][kSole];
+    for (int k = 0; k < 3; ++k) out[k][i] += moved[k] + sole * load[k];
   }
 }
 

@@ -13,7 +13,8 @@ constexpr int kPosition = 6;
 constexpr int kFeet = 9;  ///< three entries per foot
 constexpr int kGyroscopeBias = 21;
 constexpr int kAccelerometerBias = 24;
-constexpr int kSize = 27;
+constexpr int kSole = 27;  ///< compliance of the soles
+constexpr int kSize = 28;
 /// Number of entries on the group, which come before the biases.
 constexpr int kGroupSize = kGyroscopeBias;
 }  // namespace error_index
@@ -36,9 +37,10 @@ struct ErrorPropagation {
   Vector3 up_base = Vector3::UnitZ();         ///< vertical, base axes, unit length
   /// [m^2/s^4] Additional process noise of the accelerometer bias along up_base.
   double vertical_drift_variance = 0.0;
+  double sole_drift_variance = 0.0;  ///< [m^2] process noise of the compliance of the soles
 };
 
-/// Covariance P of the filter's error, shape (27, 27).
+/// Covariance P of the filter's error, shape (28, 28).
 ///
 /// Only the lower triangle is valid between calls: P_[j][i] is row i of column j, for i >= j.
 /// propagate() and correct() take most of the estimator's computing time, so most of their loops
@@ -60,10 +62,12 @@ class ErrorCovariance {
   /// Propagate over one tick: P_next = Phi P Phi^T + Q.
   void propagate(const ErrorPropagation& motion) noexcept;
 
-  /// Compute P H^T for the measurement of a foot, with H xi = xi_p - xi_d + xi_R x lever.
+  /// Compute P H^T for the measurement of a foot, with
+  /// H xi = xi_p - xi_d + xi_R x lever + xi_sole load.
   /// @param lever vector from the contact point to the centre of the foot, world axes [m]
+  /// @param load load of the foot, as a share of the weight, times the normal of the ground
   /// @param out P H^T, shape (kSize, 3), stored by columns
-  void project(int leg, const Vector3& lever, Columns& out) const noexcept;
+  void project(int leg, const Vector3& lever, const Vector3& load, Columns& out) const noexcept;
 
   /// Update with a measurement z = H xi + noise of variance R, in the expanded Joseph form:
   ///   (I - K H) P (I - K H)^T + K R K^T = P - K M^T - M K^T

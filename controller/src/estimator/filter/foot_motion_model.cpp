@@ -33,7 +33,7 @@ void FootMotionModel::update_velocity(const Dynamics& dynamics, double dt) noexc
 
 FeetMatrix FootMotionModel::rolling_displacement(const Dynamics& dynamics, const Vector12& q,
                                                  const Eigen::Vector4d& contact,
-                                                 const Vector3& lever, double dt) noexcept {
+                                                 const FeetMatrix& lever, double dt) noexcept {
   const Vector12 joint_change = q - last_q_;
   last_q_ = q;
   if (!has_last_q_) {
@@ -45,7 +45,7 @@ FeetMatrix FootMotionModel::rolling_displacement(const Dynamics& dynamics, const
   for (int leg = 0; leg < kLegs; ++leg) {
     const Vector3 turn =
         base_rotation + dynamics.legs()[leg].joint_axes_world * joint_change.segment<3>(3 * leg);
-    displacement.col(leg) = contact[leg] * turn.cross(lever);
+    displacement.col(leg) = contact[leg] * turn.cross(lever.col(leg));
   }
   return displacement;
 }

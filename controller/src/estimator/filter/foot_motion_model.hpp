@@ -31,10 +31,10 @@ class FootMotionModel {
   /// points, and the filter's tilt and accelerometer bias would drift.
   /// @param q joint angles, SDK motor order [rad]
   /// @param contact contact confidence per foot, 0 .. 1
-  /// @param lever vector from a contact point to the centre of its foot, world axes [m]
+  /// @param lever vectors from the contact points to the centres of the feet, world axes [m]
   /// @return displacements FR FL RR RL, world axes [m]; zero at the first call
   FeetMatrix rolling_displacement(const Dynamics& dynamics, const Vector12& q,
-                                  const Eigen::Vector4d& contact, const Vector3& lever,
+                                  const Eigen::Vector4d& contact, const FeetMatrix& lever,
                                   double dt) noexcept;
 
   /// Compute the process noise of each contact point over dt, as the variance of one coordinate

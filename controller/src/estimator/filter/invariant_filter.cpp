@@ -2,6 +2,7 @@
 #include "estimator/filter/invariant_filter.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -58,6 +59,7 @@ void InvariantFilter::reset_covariance(const InitialSigmas& sigmas) noexcept {
   P_.set_variance(kFeet, 3 * kLegs, square(sigmas.foot));
   P_.set_variance(kGyroscopeBias, 3, square(sigmas.gyroscope));
   P_.set_variance(kAccelerometerBias, 3, square(sigmas.accelerometer));
+  P_.set_variance(kSole, 1, square(sigmas.sole));
 }
 
 bool InvariantFilter::is_plausible() const noexcept {
@@ -96,7 +98,7 @@ void InvariantFilter::relinearise(const Vector3& lever) noexcept {
 }
 
 void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
-                              const Eigen::Vector4d& foot_variance) noexcept {
+                              const Eigen::Vector4d& foot_variance, double sole_variance) noexcept {
   const double dt = imu.dt;
   ErrorPropagation motion;
   motion.dt = dt;
@@ -112,6 +114,7 @@ void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
   motion.rate_variance = imu.w_variance;
   motion.force_variance = imu.f_variance;
   motion.foot_variance = foot_variance;
+  motion.sole_drift_variance = sole_variance;
   motion.gyroscope_drift_variance = square(gains.gyroscope_drift) * dt;
   discretise_accelerometer_bias(gains, motion);
   // Stance feet make the vertical bias observable, so this component gets more process noise. With
@@ -135,39 +138,43 @@ void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
   R_ = q_.toRotationMatrix();
 }
 
-void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance,
-                              double gate, const Vector3& lever) noexcept {
-  relinearise(lever);
+void InvariantFilter::correct(const FeetInput& feet, double gate) noexcept {
+  relinearise(feet.lever);
   Error xi = Error::Zero();
   nis_ = 0.0;
   nis_dimension_ = 0;
-  const FeetMatrix z = R_ * y_base - (feet_.colwise() - p_);
-  for (int leg = 0; leg < kLegs; ++leg) {
-    correct_foot(leg, z.col(leg), variance[leg], gate, lever_linearisation_, xi);
-  }
+  const FeetMatrix z = R_ * feet.y_base + sole_compliance_ * feet.load - (feet_.colwise() - p_);
+  for (int leg = 0; leg < kLegs; ++leg) correct_foot(leg, z.col(leg), feet, gate, xi);
   apply(xi);
 }
 
-// Add the correction by one foot to xi. The innovation is z = R y - (d - p). To first order it is
-// xi_p - xi_d + xi_R x lever, independent of the state. The last term exists because y is the
-// contact point of a spherical foot. Its position relative to the centre of the foot depends on the
-// ground normal in base axes, and so on the estimated attitude. All feet share one linearisation
-// point, so the corrections by the feet with lower index are subtracted from the innovation.
-void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, double gate,
-                                   const Vector3& lever, Error& xi) noexcept {
+// Add the correction by one foot to xi. The innovation is z = R y + sole_compliance load - (d - p).
+// To first order it is xi_p - xi_d + xi_R x lever + xi_sole load, independent of the state. The
+// third term exists because y is the contact point of a spherical foot. Its position relative to
+// the centre of the foot depends on the ground normal in base axes, and so on the estimated
+// attitude. All feet share one linearisation point, so the corrections by the feet with lower index
+// are subtracted from the innovation.
+//
+// The load at rest contains errors that do not move the foot, so the sole compliance is corrected
+// only while the load changes. At other times its gain is zero (Schmidt's consider filter).
+void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& feet, double gate,
+                                   Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
+  const Vector3 load = feet.load.col(leg);
+  const Vector3& lever = lever_linearisation_;
   ErrorCovariance::Columns W, K;
-  P_.project(leg, lever, W);
+  P_.project(leg, lever, load, W);
   Matrix3 S;
   for (int k = 0; k < 3; ++k) {
     const Vector3 turn(W[k][kRotation], W[k][kRotation + 1], W[k][kRotation + 2]);
     const Vector3 moved = turn.cross(lever);
-    for (int i = 0; i < 3; ++i) S(i, k) = W[k][kPosition + i] - W[k][foot + i] + moved[i];
+    for (int i = 0; i < 3; ++i)
+      S(i, k) = W[k][kPosition + i] - W[k][foot + i] + moved[i] + W[k][kSole] * load[i];
   }
   predicted_variance_[leg] = S.trace() / 3.0;
-  S.diagonal().array() += variance + kMinFootVariance;
+  S.diagonal().array() += feet.variance[leg] + kMinFootVariance;
   const Vector3 predicted = xi.segment<3>(kPosition) - xi.segment<3>(foot) +
-                            Vector3(xi.segment<3>(kRotation)).cross(lever);
+                            Vector3(xi.segment<3>(kRotation)).cross(lever) + xi[kSole] * load;
   const Vector3 innovation = z - predicted;
   Matrix3 inverse = S.inverse();
   const double nis = innovation.dot(inverse * innovation);
@@ -185,6 +192,10 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, d
     for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
       K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
       xi[i] += K[k][i] * innovation[k];
+    }
+    if (!feet.load_changes[leg]) {
+      xi[kSole] -= K[k][kSole] * innovation[k];
+      K[k][kSole] = 0.0;
     }
   }
   P_.correct(W, K, S);
@@ -206,6 +217,7 @@ void InvariantFilter::apply(const Error& xi) noexcept {
   }
   gyroscope_bias_ -= xi.segment<3>(kGyroscopeBias);
   accelerometer_bias_ -= xi.segment<3>(kAccelerometerBias);
+  sole_compliance_ = std::max(sole_compliance_ - xi[kSole], 0.0);
 }
 
 }  // namespace surefoot

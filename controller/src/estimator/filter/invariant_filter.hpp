@@ -13,6 +13,21 @@ struct InitialSigmas {
   double foot = 0.0;           ///< [m]
   double gyroscope = 0.0;      ///< [rad/s] of the gyroscope bias
   double accelerometer = 0.0;  ///< [m/s^2] of the accelerometer bias
+  double sole = 0.0;           ///< [m] of the compliance of the soles
+};
+
+/// Measurement of the feet in one tick.
+struct FeetInput {
+  /// Vectors from the IMU point to the contact points of rigid soles, by the joint angles, base
+  /// axes [m].
+  FeetMatrix y_base = FeetMatrix::Zero();
+  Eigen::Vector4d variance = Eigen::Vector4d::Zero();  ///< [m^2] noise of one coordinate
+  /// Normal force on each foot / weight, times the normal of the ground, world axes.
+  FeetMatrix load = FeetMatrix::Zero();
+  /// Whether the load of a foot changes, so that its motion shows how far its sole yields.
+  std::array<bool, kLegs> load_changes{};
+  /// Vector from a contact point of a rigid sole to the centre of its foot, world axes [m].
+  Vector3 lever = Vector3::Zero();
 };
 
 /// IMU measurement of one tick, base axes, and variances of its noise. The measured values include
@@ -67,21 +82,18 @@ class InvariantFilter {
 
   /// Predict the state over one tick.
   /// @param foot_variance process noise [m^2] of each contact point, see FootMotionModel
-  void predict(const Gains& gains, const ImuInput& imu,
-               const Eigen::Vector4d& foot_variance) noexcept;
+  /// @param sole_variance process noise [m^2] of the sole compliance
+  void predict(const Gains& gains, const ImuInput& imu, const Eigen::Vector4d& foot_variance,
+               double sole_variance = 0.0) noexcept;
 
   /// Move the contact points by a known displacement, for example by rolling; world axes [m].
   void move_feet(const FeetMatrix& displacement) noexcept { feet_ += displacement; }
 
   /// Correct the estimate with the contact points from forward kinematics.
-  /// @param y_base vectors from the IMU point to the contact points, base axes [m]
-  /// @param variance measurement noise of each foot: variance of one coordinate [m^2]
   /// @param gate limit of a foot's innovation [standard deviations]. Above it, the measurement
   ///   noise of the foot is increased so that the innovation is about at the limit. Above
   ///   kRejectionRatio * gate, the foot is rejected
-  /// @param lever vector from a contact point to the centre of its foot, world axes [m]
-  void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
-               const Vector3& lever) noexcept;
+  void correct(const FeetInput& feet, double gate) noexcept;
 
   const Matrix3& R_world_base() const noexcept { return R_; }
   const Quaternion& quaternion() const noexcept { return q_; }
@@ -90,6 +102,8 @@ class InvariantFilter {
   const FeetMatrix& feet() const noexcept { return feet_; }
   const Vector3& gyroscope_bias() const noexcept { return gyroscope_bias_; }
   const Vector3& accelerometer_bias() const noexcept { return accelerometer_bias_; }
+  /// Depth [m] by which the soles yield under the weight of the robot.
+  double sole_compliance() const noexcept { return sole_compliance_; }
   const ErrorCovariance& covariance() const noexcept { return P_; }
 
   // Results of the last correct():
@@ -115,7 +129,7 @@ class InvariantFilter {
   // (docs/explanation/estimator.md).
   static constexpr double kRejectionRatio = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
-  void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,
+  void correct_foot(int leg, const Vector3& z, const FeetInput& feet, double gate,
                     Error& xi) noexcept;
   void apply(const Error& xi) noexcept;
   void relinearise() noexcept;
@@ -128,6 +142,7 @@ class InvariantFilter {
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
+  double sole_compliance_ = 0.0;
   ErrorCovariance P_;
   std::array<bool, kLegs> rejected_feet_{};
   Eigen::Vector4d foot_nis_ = Eigen::Vector4d::Zero();

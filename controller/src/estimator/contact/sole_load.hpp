@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Loads from which the filter computes how far soft soles yield, as shares of the weight.
+///
+/// The noise of the loads at rest must not move the feet, so load() follows the measured load only
+/// outside a band around it. changes() tells whether a foot takes up or loses load. Real-time: yes.
+class SoleLoad {
+ public:
+  /// Process one tick.
+  /// @param load normal force of each foot / weight
+  void update(const Eigen::Vector4d& load, double dt) noexcept;
+
+  const Eigen::Vector4d& load() const noexcept { return load_; }
+  const std::array<bool, kLegs>& changes() const noexcept { return changes_; }
+  /// Return the process noise of the sole compliance [m^2]: another ground may be softer.
+  /// @param radius of the feet [m]
+  double process_variance(double radius, double dt) const noexcept;
+
+  void reset() noexcept { *this = SoleLoad(); }
+
+ private:
+  Eigen::Vector4d load_ = Eigen::Vector4d::Constant(1.0 / kLegs);
+  Eigen::Vector4d mean_ = Eigen::Vector4d::Constant(1.0 / kLegs);
+  std::array<bool, kLegs> changes_{};
+};
+
+}  // namespace surefoot
