@@ -36,8 +36,8 @@ struct VibratingImu {
       const double value = k % 2 == 0 ? size : -size;
       imu.w_base = Vector3(0.05 * value, 0.0, 0.0);
       imu.f_base = Vector3(0.0, value, kGravity);
-      out = preprocessor.update(Gains(), imu, filter, dynamics, Eigen::Vector4d::Ones(), stepping,
-                                kPeriod);
+      out = preprocessor.update(Gains(), imu, filter, dynamics,
+                                {Eigen::Vector4d::Ones(), stepping, !stepping}, kPeriod);
     }
     return out;
   }

@@ -71,8 +71,8 @@ struct TurningBase {
     imu.f_base = Vector3(0.0, 0.0, kGravity);
   }
   ImuInput step(ImuFilterInput& preprocessor, double feet = 1.0, bool stepping = false) {
-    return preprocessor.update(gains, imu, filter, dynamics, Eigen::Vector4d::Constant(feet),
-                               stepping, kPeriod);
+    return preprocessor.update(gains, imu, filter, dynamics,
+                               {Eigen::Vector4d::Constant(feet), stepping, !stepping}, kPeriod);
   }
 };
 

@@ -127,7 +127,10 @@ BOOST_AUTO_TEST_CASE(controller_command_keeps_the_power_limit_or_is_saturated) {
   const Robot robot = quadruped();
   ControllerOptions options;
   options.power_limit = kLimit;
-  StandController free(robot), limited(robot, Gains(), options);
+  Gains gains;
+  gains.recovery_margin =
+      -10.0;  // no steps: while feet step, the power is that of predicted speeds
+  StandController free(robot, gains), limited(robot, gains, options);
   for (StandController* c : {&free, &limited}) ControllerAccess::end_sensor_check(*c);
   RandomDisturbances disturbances(robot);
   int scaled = 0, above = 0;

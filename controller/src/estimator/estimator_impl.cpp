@@ -51,7 +51,9 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
-  imu_input = imu_filter_input.update(gains, imu, filter, dynamics, state.contact, stepping, dt);
+  imu_input = imu_filter_input.update(
+      gains, imu, filter, dynamics,
+      {state.contact, feet_step(), !planner_steps && step_detector.rests()}, dt);
   if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
   filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt),
                  sole_load.process_variance(robot.config().foot_radius, dt));
@@ -61,8 +63,7 @@ void StateEstimator::Impl::predict(double dt) noexcept {
 }
 
 FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
-  FootContactState out{state.contact, loads, slip.slip().cwiseProduct(slip.speed()),
-                       filter.rejected_feet()};
+  FootContactState out{state.contact, loads, slip.speed(), feet_step(), filter.rejected_feet()};
   if (!torques_valid()) out.load.setOnes();
   return out;
 }
@@ -96,7 +97,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
   foot_motion.update_velocity(dynamics, dt);
-  slip.update(gains, {v_contact, state.contact, loads, normal, stepping}, dt);
+  slip.update(gains, {v_contact, state.contact, loads, normal, feet_step()}, dt);
   clearance.update(dynamics, filter, slip.velocity(), state.contact, contact.loaded_by_forces(),
                    normal, dt);
   ContactSignals signals;
@@ -111,11 +112,12 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
+  step_detector.update(state.contact, dt);
   state.friction = slip.friction(gains);
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),
-      dt);
+      feet_step(), dt);
 }
 
 void StateEstimator::Impl::correct(double dt) noexcept {
@@ -124,10 +126,13 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   FeetInput feet;
   feet.lever = robot.config().foot_radius * normal;
   feet.variance = foot_noise.variance();
-  feet.load = normal * sole_load.load().transpose();
+  feet.normal = normal;
+  feet.load = sole_load.load();
+  feet.normal_variance = sole_load.sink_variance(filter.sole_compliance(), dt);
   feet.load_changes = sole_load.changes();
+  const Eigen::Vector4d sink = filter.sole_compliance() * feet.load;
   const FeetMatrix rolling_lever =
-      (-kRollingShare * filter.sole_compliance() * feet.load).colwise() + feet.lever;
+      (-kRollingShare * normal * sink.transpose()).colwise() + feet.lever;
   filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, rolling_lever, dt));
   for (int leg = 0; leg < kLegs; ++leg) {
     feet.y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
@@ -187,11 +192,11 @@ bool StateEstimator::Impl::supported() const noexcept {
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   // The forces of feet that land and lift off are not known well enough to weigh a payload.
-  payload.update(gains, dynamics, leg_forces.forces(), supported, stepping, dt);
+  payload.update(gains, dynamics, leg_forces.forces(), supported, feet_step(), dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
-  if (stepping) return push.reset();
+  if (planner_steps) return push.reset();
   // `a` is the planned classical acceleration of the base origin, base axes. It includes the effect
   // of planned_push, the push that was estimated when the plan was made. The feet do not cause this
   // part: a_feet = a - planned_push / m. So a_measured - a_feet = unplanned + planned_push / m.

@@ -6,6 +6,7 @@
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
 #include "estimator/contact/sole_load.hpp"
+#include "estimator/contact/step_detector.hpp"
 #include "estimator/contact/torque_check.hpp"
 #include "estimator/external_wrench/payload_observer.hpp"
 #include "estimator/external_wrench/push_observer.hpp"
@@ -45,6 +46,7 @@ struct StateEstimator::Impl {
   Vector3 base_acceleration() const noexcept;
   bool torques_valid() const noexcept { return torque_check.verdict() == SensorVerdict::kGood; }
   bool supported() const noexcept;
+  bool feet_step() const noexcept { return planner_steps || step_detector.steps(); }
   bool attitude_diverged() const noexcept;
 
   Robot robot;
@@ -61,6 +63,7 @@ struct StateEstimator::Impl {
   LegForces leg_forces;
   ContactConfidence contact;
   SoleLoad sole_load;
+  StepDetector step_detector;
   SlipDetector slip;
   FootClearance clearance;
   PayloadObserver payload;
@@ -70,7 +73,7 @@ struct StateEstimator::Impl {
   Vector12 planned_tau = Vector12::Zero();         // [N.m] SDK motor order
   Vector3 planned_push = Vector3::Zero();  // [N] world axes; the push that the plan includes
   bool has_plan = false;
-  bool stepping = false;  // the planner lets feet step
+  bool planner_steps = false;  // the planner lets feet step
   RobotState state;
   Vector12 tau_est = Vector12::Zero();  // [N.m]; tau_est, q and dq are in SDK motor order
   Vector12 q = Vector12::Zero(), dq = Vector12::Zero();

@@ -73,7 +73,7 @@ StateEstimator::Impl::Impl(const Robot& r)
       state(r.nq(), r.nv()) {}
 
 void StateEstimator::Impl::reset() noexcept {
-  started = has_plan = stepping = false;
+  started = has_plan = planner_steps = false;
   planned_acceleration.setZero();
   planned_tau.setZero();
   planned_push.setZero();
@@ -85,6 +85,7 @@ void StateEstimator::Impl::reset() noexcept {
   leg_forces.reset();
   contact.reset();
   sole_load.reset();
+  step_detector.reset();
   slip.reset();
   clearance.reset();
   payload.reset();

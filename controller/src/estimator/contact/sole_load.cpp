@@ -7,9 +7,17 @@
 namespace surefoot {
 
 namespace {
-// Half of the width of the band in which load() stays constant. Chosen: above the noise of the
-// loads of a standing robot (0.01), and so small that a sole of 20 mm/weight moves by 0.4 mm.
+// Half of the width of the band in which load() stays constant while no foot steps. Chosen: above
+// the noise of the loads of a standing robot (0.01), and so small that a sole of 20 mm/weight moves
+// by 0.4 mm.
 constexpr double kBand = 0.02;
+// [s] Time by which the sink of a sole may lead or lag the measured load: damping of the sole,
+// filter of the forces, delays. The sink may be wrong by the change of the load in this time.
+constexpr double kLag = 0.01;
+// [s] Time for which an error of the sink lasts. The filter assumes errors that are independent
+// from tick to tick, so the variance is larger by the number of ticks in this time. Chosen: about
+// the time in which the load of a foot rises.
+constexpr double kErrorTime = 0.04;
 // [s] Time constant of the mean load. Chosen: a third to a half of a stance in a trot.
 constexpr double kMeanTime = 0.1;
 // Difference between load and mean load above which the load changes. Chosen: five times the
@@ -20,14 +28,21 @@ constexpr double kMinChange = 0.1;
 constexpr double kDrift = 0.02;
 }  // namespace
 
-void SoleLoad::update(const Eigen::Vector4d& load, double dt) noexcept {
+void SoleLoad::update(const Eigen::Vector4d& load, bool steps, double dt) noexcept {
+  const double band = steps ? 0.0 : kBand;
   for (int leg = 0; leg < kLegs; ++leg) {
-    load_[leg] = std::max(0.0, std::clamp(load_[leg], load[leg] - kBand, load[leg] + kBand));
+    load_[leg] = std::max(0.0, std::clamp(load_[leg], load[leg] - band, load[leg] + band));
   }
+  lagged_ += dt / (dt + kLag) * (load_ - lagged_);
   mean_ += dt / (dt + kMeanTime) * (load_ - mean_);
   for (int leg = 0; leg < kLegs; ++leg) {
     changes_[leg] = std::abs(load_[leg] - mean_[leg]) > kMinChange;
   }
+}
+
+Eigen::Vector4d SoleLoad::sink_variance(double compliance, double dt) const noexcept {
+  const Eigen::Vector4d change = compliance * (load_ - lagged_);
+  return kErrorTime / dt * change.array().square();
 }
 
 double SoleLoad::process_variance(double radius, double dt) const noexcept {

@@ -11,7 +11,8 @@ struct FootContactState {
   Eigen::Vector4d contact;  ///< contact confidence, 0 .. 1
   /// Load from torques, as a share of the weight; 1 if the torques are invalid.
   Eigen::Vector4d load;
-  Eigen::Vector4d slip;              ///< [m/s] slip confidence times the speed of the contact point
+  Eigen::Vector4d speed;             ///< [m/s] of the contact point on the ground
+  bool steps;                        ///< true: the robot steps, see StepDetector
   std::array<bool, kLegs> rejected;  ///< true if the innovation gate rejected the foot
 };
 

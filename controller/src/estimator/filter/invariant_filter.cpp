@@ -143,7 +143,8 @@ void InvariantFilter::correct(const FeetInput& feet, double gate) noexcept {
   Error xi = Error::Zero();
   nis_ = 0.0;
   nis_dimension_ = 0;
-  const FeetMatrix z = R_ * feet.y_base + sole_compliance_ * feet.load - (feet_.colwise() - p_);
+  const FeetMatrix z = R_ * feet.y_base + sole_compliance_ * feet.normal * feet.load.transpose() -
+                       (feet_.colwise() - p_);
   for (int leg = 0; leg < kLegs; ++leg) correct_foot(leg, z.col(leg), feet, gate, xi);
   apply(xi);
 }
@@ -160,7 +161,7 @@ void InvariantFilter::correct(const FeetInput& feet, double gate) noexcept {
 void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& feet, double gate,
                                    Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
-  const Vector3 load = feet.load.col(leg);
+  const Vector3 load = feet.load[leg] * feet.normal;
   const Vector3& lever = lever_linearisation_;
   ErrorCovariance::Columns W, K;
   P_.project(leg, lever, load, W);
@@ -173,6 +174,7 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& f
   }
   predicted_variance_[leg] = S.trace() / 3.0;
   S.diagonal().array() += feet.variance[leg] + kMinFootVariance;
+  S += feet.normal_variance[leg] * feet.normal * feet.normal.transpose();
   const Vector3 predicted = xi.segment<3>(kPosition) - xi.segment<3>(foot) +
                             Vector3(xi.segment<3>(kRotation)).cross(lever) + xi[kSole] * load;
   const Vector3 innovation = z - predicted;

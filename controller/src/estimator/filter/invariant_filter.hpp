@@ -22,8 +22,10 @@ struct FeetInput {
   /// axes [m].
   FeetMatrix y_base = FeetMatrix::Zero();
   Eigen::Vector4d variance = Eigen::Vector4d::Zero();  ///< [m^2] noise of one coordinate
-  /// Normal force on each foot / weight, times the normal of the ground, world axes.
-  FeetMatrix load = FeetMatrix::Zero();
+  Eigen::Vector4d load = Eigen::Vector4d::Zero();      ///< normal force / weight
+  /// [m^2] Additional noise along the normal of the ground.
+  Eigen::Vector4d normal_variance = Eigen::Vector4d::Zero();
+  Vector3 normal = Vector3::UnitZ();  ///< of the ground, world axes, unit length
   /// Whether the load of a foot changes, so that its motion shows how far its sole yields.
   std::array<bool, kLegs> load_changes{};
   /// Vector from a contact point of a rigid sole to the centre of its foot, world axes [m].

@@ -74,7 +74,7 @@ double mean_variance(const Vector3& change, double sigma) noexcept {
 
 ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
                                 const InvariantFilter& filter, const Dynamics& dynamics,
-                                const Eigen::Vector4d& contact, bool stepping, double dt) noexcept {
+                                const FeetState& feet, double dt) noexcept {
   ImuInput out;
   out.dt = dt;
   if (!started_) {
@@ -87,19 +87,20 @@ ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
   const bool quaternion_changed = imu.has_quaternion && has_last_quaternion_ &&
                                   imu.R_world_base.coeffs() != last_quaternion_.coeffs();
   quaternion_age_ += dt;
-  gyroscope_rejected_ = imu.gyroscope == SensorVerdict::kGood &&
-                        contradicts_gyroscope(imu, filter, dynamics, contact, quaternion_changed);
-  if (imu.w_age == 1 && !gyroscope_rejected_ && !stepping) w_noise_.update(imu.w_base, dt);
-  if (imu.f_age == 1 && !stepping) f_noise_.update(imu.f_base, dt);
+  gyroscope_rejected_ =
+      imu.gyroscope == SensorVerdict::kGood &&
+      contradicts_gyroscope(imu, filter, dynamics, feet.contact, quaternion_changed);
+  if (imu.w_age == 1 && !gyroscope_rejected_ && feet.rest) w_noise_.update(imu.w_base, dt);
+  if (imu.f_age == 1 && feet.rest) f_noise_.update(imu.f_base, dt);
   out.w_base = 0.5 * (imu.w_base + last_w_);
   out.f_base = 0.5 * (imu.f_base + last_f_);
   out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kHeldRateDrift, dt) +
-                   (stepping ? 0.0 : mean_variance(imu.w_base - last_w_, w_noise_.sigma()));
+                   (feet.step ? 0.0 : mean_variance(imu.w_base - last_w_, w_noise_.sigma()));
   out.f_variance =
       held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
-      (stepping ? square(kForceVibration) : mean_variance(imu.f_base - last_f_, f_noise_.sigma()));
+      (feet.step ? square(kForceVibration) : mean_variance(imu.f_base - last_f_, f_noise_.sigma()));
   if (imu.gyroscope != SensorVerdict::kGood || gyroscope_rejected_) {
-    replace_rate(imu, filter, dynamics, contact, quaternion_changed, out);
+    replace_rate(imu, filter, dynamics, feet.contact, quaternion_changed, out);
   }
   if (imu.accelerometer != SensorVerdict::kGood) {
     out.f_base = filter.R_world_base().transpose() * (kGravity * Vector3::UnitZ()) +

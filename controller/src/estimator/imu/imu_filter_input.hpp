@@ -8,6 +8,13 @@
 
 namespace surefoot {
 
+/// What the feet do, as far as the IMU feels it.
+struct FeetState {
+  const Eigen::Vector4d& contact;  ///< contact confidences, 0 .. 1
+  bool step;                       ///< feet step, so impacts vibrate in the IMU
+  bool rest;                       ///< all feet stand; only then the noise of the IMU is learnt
+};
+
 /// Converts IMU readings to filter inputs: mean angular rate and specific force over the tick, and
 /// their variances.
 ///
@@ -26,11 +33,9 @@ class ImuFilterInput {
  public:
   /// Compute the filter input of this tick.
   /// @param dynamics dynamics of the last tick
-  /// @param contact contact confidences of the last tick, 0 .. 1
-  /// @param stepping true: feet step, so the IMU vibrates; the noise estimate is held
+  /// @param feet feet in the last tick
   ImuInput update(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
-                  const Dynamics& dynamics, const Eigen::Vector4d& contact, bool stepping,
-                  double dt) noexcept;
+                  const Dynamics& dynamics, const FeetState& feet, double dt) noexcept;
 
   /// Return whether the last update() rejected the gyroscope.
   bool gyroscope_rejected() const noexcept { return gyroscope_rejected_; }
