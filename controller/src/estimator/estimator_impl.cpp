@@ -110,6 +110,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   signals.speed = slip.excess_speed();
   signals.clearance = clearance.clearance();
   signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
+  signals.steps = feet_step();
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);

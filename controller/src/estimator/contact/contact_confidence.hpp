@@ -18,12 +18,14 @@ struct ContactSignals {
   /// Vertical specific force / g. For a robot on its feet it equals the sum of the normal forces,
   /// divided by the weight.
   double load_factor = 1.0;
+  bool steps = false;  ///< true: the robot steps, see StepDetector
 };
 
 /// Contact confidence of each foot, fused from all working contact sources.
 ///
 /// Each source votes from -1 (off the ground) to 1 (loaded). The confidence integrates the weighted
-/// mean vote. If all sources agree, the confidence moves from 0 to 1 within the gain contact_dwell.
+/// mean vote. If all sources agree, the confidence moves from 0 to 1 within the gain contact_dwell,
+/// and in 0.4 times that while the robot steps.
 /// So a single wrong sample changes the confidence by one step only, and two sources that
 /// contradict each other leave it unchanged. Exception: while the sum of the loads from the torques
 /// matches the accelerometer, the torques have a slightly larger weight. A contradiction is then
