@@ -9,6 +9,7 @@
 namespace surefoot {
 
 /// Times of a gait. Leg i is in stance while its phase, frac(phase + offset[i]), is below duty.
+/// Real-time: yes.
 struct GaitTiming {
   double period = 0.42;                                     ///< [s] of one cycle
   double duty = 0.5;                                        ///< share of the period in stance
