@@ -115,16 +115,22 @@ BOOST_FIXTURE_TEST_CASE(progress_and_times_of_a_swing_agree, ClockFixture) {
 
 BOOST_FIXTURE_TEST_CASE(clock_waits_for_late_feet_for_the_given_time, ClockFixture) {
   max_wait = 0.06;
-  BOOST_TEST(std::abs(time_until_swing(FL_) - (0.1 * kPeriod + max_wait)) < 3.0 * kDt);
+  const double lasts = max_wait + GaitClock::kUnloadingTime;
+  BOOST_TEST(std::abs(time_until_swing(FL_) - (0.1 * kPeriod + lasts)) < 3.0 * kDt);
   // The next lift-off, half a period later, may wait as long again.
-  BOOST_TEST(std::abs(time_until_swing(FR_) - (0.5 * kPeriod + max_wait)) < 3.0 * kDt);
+  BOOST_TEST(std::abs(time_until_swing(FR_) - (0.5 * kPeriod + lasts)) < 3.0 * kDt);
 }
 
-BOOST_FIXTURE_TEST_CASE(clock_continues_as_soon_as_late_feet_land, ClockFixture) {
+BOOST_FIXTURE_TEST_CASE(waiting_feet_unload_as_soon_as_late_feet_land, ClockFixture) {
   max_wait = 0.06;
   run(0.1 * kPeriod + 0.02);
-  BOOST_TEST(swing_feet() == 0);
+  BOOST_TEST(clock.time_to_liftoff(FL_) == kPeriod);
   max_wait = 0.0;
+  for (double left = GaitClock::kUnloadingTime - kDt; left > 0.5 * kDt; left -= kDt) {
+    tick();
+    BOOST_TEST(swing_feet() == 0);
+    BOOST_TEST(std::abs(clock.time_to_liftoff(FL_) - left) < 1e-9);
+  }
   BOOST_TEST(time_until_swing(FL_) <= 2.0 * kDt);
 }
 
@@ -138,7 +144,7 @@ BOOST_FIXTURE_TEST_CASE(waiting_feet_stand_while_the_other_pair_is_down, ClockFi
   BOOST_TEST(swing_feet() == 0);
   BOOST_TEST(clock.time_to_liftoff(FR_) == kPeriod);
   max_wait = 0.0;
-  tick();
+  time_until_swing(FR_);
   BOOST_TEST((clock.in_swing(FR_) && clock.in_swing(RL_) && !clock.in_swing(FL_)));
   BOOST_TEST(clock.swing_progress(FR_) < 0.03);
 }

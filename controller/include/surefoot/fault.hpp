@@ -39,7 +39,7 @@ enum class FaultId : int {
   kTemperature,    ///< a motor is hot: first its torque limit falls, then the robot sits down
   kJointStop,      ///< a joint is beyond its stop
   kPower,          ///< the power protection tripped
-  kTorqueRate,     ///< the torque rate limiter held back the StandController's torques
+  kTorqueRate,     ///< the torque rate limiter held back the controller's torques
   kProgram,        ///< the first solve of a tick failed, see StandController::fallback_level()
   kController,     ///< the StandController damps, see StandController::fault()
   kHanging,        ///< after the rise the legs carry too little of the weight

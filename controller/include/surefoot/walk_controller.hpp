@@ -42,23 +42,28 @@ class WalkController : public StandController {
   /// ControllerOptions::power_limit carries. A velocity with a NaN or an infinity is ignored.
   /// velocity_limit() reports both. Real-time: yes.
   void set_velocity(const WalkVelocity& velocity) noexcept;
-  WalkVelocity commanded_velocity() const noexcept;  ///< clamped; 0 after the timeout
-  WalkVelocity reference_velocity() const noexcept;  ///< approaches commanded_velocity()
-  WalkLimit velocity_limit() const noexcept;         ///< of the last set_velocity()
+  /// Return the commanded velocity: clamped, and 0 after the timeout. Real-time: yes.
+  WalkVelocity commanded_velocity() const noexcept;
+  /// Return the planned velocity, which approaches commanded_velocity(). Real-time: yes.
+  WalkVelocity reference_velocity() const noexcept;
+  /// Return the limit of the last set_velocity(). Real-time: yes.
+  WalkLimit velocity_limit() const noexcept;
 
-  void set_gait(Gait gait) noexcept;  ///< from the next tick on. Real-time: yes.
-  Gait gait() const noexcept;         ///< gait last set; initially kAuto
-  bool walking() const noexcept;      ///< whether the last tick planned steps
+  /// Set the gait from the next tick on. Real-time: yes.
+  void set_gait(Gait gait) noexcept;
+  Gait gait() const noexcept;     ///< gait last set; initially kAuto. Real-time: yes.
+  bool walking() const noexcept;  ///< whether the last tick planned steps. Real-time: yes.
   /// Whether the last velocity is older than WalkOptions::velocity_timeout, or none was set since
-  /// reset().
+  /// reset(). Real-time: yes.
   bool velocity_expired() const noexcept;
   /// Whether the motors can carry the robot in the standing pose on two diagonal feet, with at most
   /// 0.8 of their torque limits. A robot that cannot walk only stands. Only a Supervisor has a
-  /// WalkController for such a robot.
+  /// WalkController for such a robot. Real-time: yes.
   bool can_walk() const noexcept;
   /// Footholds FR FL RR RL, world frame of state() [m]: where each foot lands or has landed.
+  /// Real-time: yes.
   FeetMatrix footholds() const noexcept;
-  /// Planned loads FR FL RR RL, 0 .. 1; 0: the foot swings.
+  /// Planned loads FR FL RR RL, 0 .. 1; 0: the foot swings. Real-time: yes.
   Eigen::Vector4d planned_loads() const noexcept;
 
  protected:

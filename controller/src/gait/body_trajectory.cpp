@@ -61,8 +61,8 @@ void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& com
 void BodyTrajectory::write(const GroundPlane& ground, const BodySway& sway,
                            const BodyMotion& offset, double ahead,
                            Reference& reference) const noexcept {
-  const Eigen::Vector2d a = a_ + sway.a(), v = v_ + sway.v() + ahead * sway.a();
-  const Eigen::Vector2d p = p_ + sway.p() + ahead * (v_ + sway.v());
+  const Eigen::Vector2d a = a_ + sway.a(), v_now = v_ + sway.v(), v = v_now + ahead * a;
+  const Eigen::Vector2d p = p_ + sway.p() + ahead * v_now;
   const Vector3& n = ground.normal();
   const Eigen::Vector2d slope = -n.head<2>() / n.z();  // rise per distance
   reference.body_point = BodyPoint::kCenterOfMass;

@@ -14,9 +14,8 @@ constexpr double kLost = 0.3;
 // Share of the swing before which a contact is not a landing: the foot still leaves the ground, or
 // it hits an obstacle, and the swing continues over it.
 constexpr double kEarliestLanding = 0.6;
-// [s] Ramp of the planned load after touchdown and before lift-off. Chosen. If smaller:
-// the torques jump. If larger: the foot carries its full load for less of its stance.
-constexpr double kLoadRamp = 0.02;
+// [s] Ramp of the planned load after touchdown and before lift-off.
+constexpr double kLoadRamp = GaitClock::kUnloadingTime;
 // Planned loads of feet that have landed early, and of feet that still reach for the ground.
 constexpr double kEarlyLoad = 0.2;
 constexpr double kLateLoad = 0.1;

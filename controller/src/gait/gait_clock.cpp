@@ -13,10 +13,12 @@ void GaitClock::advance(const GaitTiming& timing, double max_wait, bool stop, do
   }
   if (std::any_of(waits_.begin(), waits_.end(), [](bool waits) { return waits; })) {
     waited_ += dt;
-    if (waited_ < max_wait) return;
+    if (unloaded_ == 0.0 && waited_ < max_wait) return;
+    unloaded_ += dt;
+    if (unloaded_ < kUnloadingTime) return;
     waits_.fill(false);
   }
-  waited_ = 0.0;
+  waited_ = unloaded_ = 0.0;
   const double step = dt / timing_.period;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double phase = phase_of(leg);
@@ -47,6 +49,7 @@ double GaitClock::time_since_touchdown(int leg) const noexcept {
 }
 
 double GaitClock::time_to_liftoff(int leg) const noexcept {
+  if (waits_[leg] && unloaded_ > 0.0) return kUnloadingTime - unloaded_;
   if (grounded_[leg] || waits_[leg]) return timing_.period;
   return std::max(timing_.duty - phase_of(leg), 0.0) * timing_.period;
 }

@@ -9,6 +9,7 @@
 namespace surefoot {
 
 /// Times of a gait. Leg i is in stance while its phase, frac(phase + offset[i]), is below duty.
+/// Real-time: yes.
 struct GaitTiming {
   double period = 0.42;                                     ///< [s] of one cycle
   double duty = 0.5;                                        ///< share of the period in stance
@@ -22,6 +23,10 @@ struct GaitTiming {
 /// would leave no foot on the ground. Real-time: yes.
 class GaitClock {
  public:
+  /// [s] Time in which a foot unloads before it lifts off. Chosen. If smaller: the torques jump. If
+  /// larger: the foot carries its full load for less of its stance.
+  static constexpr double kUnloadingTime = 0.02;
+
   /// Start with all legs in stance, as if those with offset 0 had just landed. A leg whose phase is
   /// in the swing skips that swing.
   void start() noexcept {
@@ -36,7 +41,8 @@ class GaitClock {
   }
 
   /// Advance the phase.
-  /// @param max_wait longest wait for feet that should have landed [s]; 0: no foot is late
+  /// @param max_wait longest wait for feet that should have landed [s]; 0: no foot is late. After a
+  ///   wait, the feet that waited unload for kUnloadingTime before they lift off
   /// @param stop whether no further foot shall lift off. After `stop`, a foot that skipped its
   ///   swing lifts off one cycle later
   void advance(const GaitTiming& timing, double max_wait, bool stop, double dt) noexcept;
@@ -44,7 +50,7 @@ class GaitClock {
   bool in_swing(int leg) const noexcept {
     return phase_of(leg) >= timing_.duty && !grounded_[leg] && !waits_[leg];
   }
-  /// Return whether the leg should lift off, and waits for late feet.
+  /// Return whether the leg should lift off, and waits for late feet, or unloads after the wait.
   bool waits(int leg) const noexcept { return waits_[leg]; }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;
@@ -64,6 +70,7 @@ class GaitClock {
   std::array<bool, kLegs> grounded_{};  // the leg skips its swing
   std::array<bool, kLegs> waits_{};     // the leg should lift off, and waits for late feet
   double waited_ = 0.0;                 // [s] time for which the clock has waited
+  double unloaded_ = 0.0;               // [s] time since the wait has ended
 };
 
 }  // namespace surefoot

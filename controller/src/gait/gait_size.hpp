@@ -18,7 +18,7 @@ struct GaitSize {
   double time;              ///< [s] sqrt(h / g), the time constant of the inverted pendulum
   double speed;             ///< [m/s] sqrt(g h)
 
-  /// Return the speed of the fastest hip [m/s].
+  /// Return the speed of the fastest hip [m/s]. Real-time: yes.
   double fastest_hip(const WalkVelocity& velocity) const noexcept;
 };
 

@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// Which feet step together, and in which order.
+/// Which feet step together, and in which order. Real-time: yes.
 struct StepPattern {
   bool walk = false;                       ///< false: trot, diagonal pairs in turn
   WalkOrder order = {RR_, FR_, RL_, FL_};  ///< of the walk; a trot ignores it

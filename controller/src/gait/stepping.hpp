@@ -2,14 +2,8 @@
 #pragma once
 
 #include "gait/body_trajectory.hpp"
-#include "gait/foot_contacts.hpp"
-#include "gait/gait_clock.hpp"
-#include "gait/ground_plane.hpp"
-#include "gait/step_pattern.hpp"
-#include "gait/stumble.hpp"
-#include "gait/swing_clearance.hpp"
-#include "gait/swing_trajectory.hpp"
-#include "surefoot/planner.hpp"
+#include "gait/step_schedule.hpp"
+#include "gait/swing_feet.hpp"
 
 namespace surefoot {
 
@@ -18,7 +12,7 @@ namespace surefoot {
 class Stepping {
  public:
   explicit Stepping(const GaitSize& size)
-      : size_(size), stumble_(size), clearance_(size), body_(size), sway_(size) {}
+      : size_(size), schedule_(size), feet_(size), body_(size), sway_(size) {}
 
   /// Begin at the measured state: all feet stand.
   /// @param ground_normal of the ground under the stand, unit length
@@ -40,44 +34,35 @@ class Stepping {
   /// of a lost leg.
   /// @param lost_leg 0 .. 3, or -1
   bool has_stopped(int lost_leg) const noexcept {
-    return at_rest_ && contacts_.others_in_stance(lost_leg) &&
+    return at_rest_ && contacts().others_in_stance(lost_leg) &&
            (lost_leg >= 0 || sway_.is_at_rest());
   }
 
   const GaitSize& size() const noexcept { return size_; }
-  const FeetMatrix& footholds() const noexcept { return footholds_; }  ///< [m] world frame
-  const FootContacts& contacts() const noexcept { return contacts_; }
-  const GaitClock& clock() const noexcept { return clock_; }
+  const FeetMatrix& footholds() const noexcept { return feet_.footholds(); }  ///< [m] world frame
+  const FootContacts& contacts() const noexcept { return schedule_.contacts(); }
+  const GaitClock& clock() const noexcept { return schedule_.clock(); }
   const BodyTrajectory& body() const noexcept { return body_; }
   const BodySway& sway() const noexcept { return sway_; }
 
  private:
   void begin(const PlannerInput& input, const Vector3& ground_normal,
              double height_offset) noexcept;
-  void update_clock(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
-  void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
-  bool is_steady(const PlannerInput& input) const noexcept;
-  Eigen::Vector4d judge_contacts(const PlannerInput& input) noexcept;
-  double longest_wait() const noexcept;  // [s] of the clock
-  void update_ground(const PlannerInput& input) noexcept;
-  void plan_foot(int leg, const PlannerInput& input, const HorizontalMotion& measured) noexcept;
-  void write_foot(int leg, const PlannerInput& input, FootReference& foot) const noexcept;
+  void update_schedule(const PlannerInput& input, bool walk, const WalkVelocity& command,
+                       const HorizontalMotion& measured, bool steady) noexcept;
+  void update_ground(const PlannerInput& input, bool steady) noexcept;
+  void update_body(const PlannerInput& input, const WalkVelocity& command,
+                   const HorizontalMotion& measured) noexcept;
 
   GaitSize size_;
-  GaitClock clock_;
-  FootContacts contacts_;
-  Stumble stumble_;
-  SwingClearance clearance_;
+  StepSchedule schedule_;
+  SwingFeet feet_;
   GroundPlane ground_;
   BodyTrajectory body_;
   BodySway sway_;
-  StepPattern pattern_;
-  bool changes_pattern_ = false;  // no foot lifts off until the pattern has changed
-  std::array<SwingTrajectory, kLegs> swings_;
   bool at_rest_ = false;  // no foot need lift off
-  FeetMatrix footholds_ = FeetMatrix::Zero();
 };
 
 }  // namespace surefoot

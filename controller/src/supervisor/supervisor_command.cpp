@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes the command, from joint impedance, StandController or damping. During a fade the command
+// Computes the command, from joint impedance, controller or damping. During a fade the command
 // is the weighted mean of two of these sources.
 #include "safety/torque_command.hpp"
 #include "supervisor/common/motor_measurements.hpp"
@@ -44,7 +44,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     demand.tau = (1.0 - w) * from_demand.tau + w * demand.tau;
     demand.kd = (1.0 - w) * from_demand.kd + w * demand.kd;
   }
-  // A StandController that has had no solution since its reset has no command to repeat, and never
+  // A controller that has had no solution since its reset has no command to repeat, and never
   // latches damping by itself. So the time without a solution is measured here.
   const bool uses_controller = fade.uses(TorqueSource::kController);
   const bool controller_idle = unsolved.update(
@@ -56,7 +56,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     latch(why);
     return command_hold.accept(damping_low_cmd(damping_kd));
   }
-  // Rate-limited torques are a fault only if they come from the StandController and stay limited
+  // Rate-limited torques are a fault only if they come from the controller and stay limited
   // for kRateLimitedTime. Impedance torques of a slipping leg change as fast as the leg moves, and
   // an impact lasts for one or two ticks.
   const bool limited =

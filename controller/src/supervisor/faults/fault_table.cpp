@@ -123,14 +123,14 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "the motors took more than the option power_level in a net six samples (the SDK's "
      "PowerProtect rule); the motors damp until arm()"},
     {FaultId::kTorqueRate, kWatch, 0.010, kClearsByItself,
-     "the StandController's torques have been rate-limited, to 9.5 % of their limits in 2 ms, "
+     "the controller's torques have been rate-limited, to 9.5 % of their limits in 2 ms, "
      "for 8 ms; no other reaction",
      "they have been limited for 300 ms: each step limits them for a while", 0.302},
     {FaultId::kProgram, kWatch, 0.002, kClearsByItself,
-     "the StandController's QP was not solved at the first attempt; a cold solve replaces it, "
+     "the controller's QP was not solved at the first attempt; a cold solve replaces it, "
      "or fallback commands for at most 10 ms"},
     {FaultId::kController, kDamp, 0.020, kNeedsArm,
-     "the StandController has had no usable solution for more than 10 ms; the motors damp "
+     "the controller has had no usable solution for more than 10 ms; the motors damp "
      "until arm()"},
     {FaultId::kHanging, kSit, 0.5, kClearsByItself,
      "the legs carry less than 0.35 of the weight at the end of a rise: the robot hangs or is "

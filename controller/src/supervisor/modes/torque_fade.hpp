@@ -13,7 +13,7 @@ struct MotorDemand {
   Vector12 kd = Vector12::Zero();   ///< [N.m.s/rad] Kd, with a desired velocity of 0
 };
 
-/// Source of a MotorDemand: damping only, JointImpedance or StandController.
+/// Source of a MotorDemand: damping only, JointImpedance or controller.
 enum class TorqueSource { kDamping, kImpedance, kController };
 
 /// Torque fade: weights that change from one torque source to another without a torque jump.

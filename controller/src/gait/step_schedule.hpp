@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "gait/foot_contacts.hpp"
+#include "gait/step_pattern.hpp"
+#include "gait/stumble.hpp"
+#include "surefoot/planner.hpp"
+
+namespace surefoot {
+
+struct HorizontalMotion;
+class BodyTrajectory;
+
+/// When the feet step: the pattern of the gait, its clock, and the phases of the feet. Real-time:
+/// yes.
+class StepSchedule {
+ public:
+  explicit StepSchedule(const GaitSize& size) : size_(size) {}
+
+  /// Begin with all feet on the ground.
+  /// @param walk whether the robot walks with three feet down; false: it trots
+  void start(const Gains& gains, bool walk, const WalkVelocity& command) noexcept;
+  /// Begin with a trot in which the pair of `leg` lifts off at once.
+  void start_recovery(const Gains& gains, int leg) noexcept;
+
+  /// Change the pattern when all feet stand. A trot becomes a walk only at a speed at which a walk
+  /// can go on.
+  /// @param speed of the body trajectory [m/s]
+  void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command,
+                      double speed) noexcept;
+  /// Advance clock and phases.
+  /// @param measured measured motion of the body
+  /// @param contact contact confidence per foot, 0 .. 1
+  /// @param stop whether no further foot shall lift off
+  void advance(const PlannerInput& input, const HorizontalMotion& measured,
+               const BodyTrajectory& body, const Eigen::Vector4d& contact, const Stumble& stumble,
+               bool stop) noexcept;
+
+  const StepPattern& pattern() const noexcept { return pattern_; }
+  const GaitClock& clock() const noexcept { return clock_; }
+  const FootContacts& contacts() const noexcept { return contacts_; }
+
+ private:
+  double longest_wait(const Stumble& stumble) const noexcept;  // [s] of the clock
+
+  GaitSize size_;
+  StepPattern pattern_;
+  GaitClock clock_;
+  FootContacts contacts_;
+  bool changes_pattern_ = false;  // no foot lifts off until the pattern has changed
+};
+
+}  // namespace surefoot
