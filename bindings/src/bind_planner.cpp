@@ -28,6 +28,7 @@ struct PlannerInputCopy {
         w_world_base(input.w_world_base),
         p_feet(input.p_feet),
         v_feet(input.v_feet),
+        sole_sink(input.sole_sink),
         lost_leg(input.lost_leg) {}
   RobotState state;
   Gains gains;
@@ -36,6 +37,7 @@ struct PlannerInputCopy {
   Matrix3 R_world_base;
   Vector3 w_world_base;
   FeetMatrix p_feet, v_feet;
+  Eigen::Vector4d sole_sink;
   int lost_leg;
 };
 
@@ -110,6 +112,10 @@ void bind_planner_input(nb::module_& m) {
       .def_prop_ro("v_feet", &read_only<&PlannerInputCopy::v_feet>,
                    nb::rv_policy::reference_internal,
                    "Velocities of the contact points [m/s], shape (3, 4), FR FL RR RL.")
+      .def_prop_ro(
+          "sole_sink", &read_only<&PlannerInputCopy::sole_sink>, nb::rv_policy::reference_internal,
+          "Depth by which each sole has yielded along the normal of the ground [m], shape\n"
+          "(4,): the ground without load is higher than p_feet by it.")
       .def_ro("lost_leg", &PlannerInputCopy::lost_leg,
               "Leg that was given up, 0 .. 3, or -1. The controller plans no load for its foot,\n"
               "whatever the planner writes.");

@@ -24,8 +24,11 @@ struct PlannerInput {
   Vector3 v_com;         ///< [m/s] velocity of the centre of mass
   Matrix3 R_world_base;  ///< orientation of the base in the world
   Vector3 w_world_base;  ///< [rad/s] angular velocity of the base, world axes
-  FeetMatrix p_feet;     ///< [m] contact points, FR FL RR RL
+  FeetMatrix p_feet;     ///< [m] contact points of rigid soles, FR FL RR RL
   FeetMatrix v_feet;     ///< [m/s] velocities of the contact points, FR FL RR RL
+  /// [m] Depth by which each sole has yielded along the normal of the ground, FR FL RR RL: the
+  /// ground without load is higher than p_feet by it.
+  Eigen::Vector4d sole_sink;
   /// Leg that was given up, 0 .. 3, or -1. The controller plans no load for its foot, whatever the
   /// planner writes.
   int lost_leg;

@@ -47,6 +47,9 @@ class StateEstimator {
   EstimatorReport report() const noexcept;
   /// Compute the normal force [N] on each foot from the joint torques, FR FL RR RL. Real-time: yes.
   Eigen::Vector4d normal_forces_from_torques() const noexcept;
+  /// Compute the depth [m] by which each sole yields under its load, FR FL RR RL, see
+  /// EstimatorReport::sole_compliance. Real-time: yes.
+  Eigen::Vector4d sole_sink() const noexcept;
   /// Return whether footForceEst works on this robot: its sum has matched the load on the feet.
   /// Real-time: yes.
   bool has_foot_force_est() const noexcept;

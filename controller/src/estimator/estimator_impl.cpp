@@ -64,6 +64,8 @@ void StateEstimator::Impl::predict(double dt) noexcept {
 
 FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
   FootContactState out{state.contact, loads, slip.speed(), feet_step(), filter.rejected_feet()};
+  // Without new values of the IMU, the body moves and not the feet.
+  if (!imu_is_fresh()) out.speed.setZero();
   if (!torques_valid()) out.load.setOnes();
   return out;
 }
@@ -131,9 +133,8 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   feet.load = sole_load.load();
   feet.normal_variance = sole_load.sink_variance(filter.sole_compliance(), dt);
   feet.load_changes = sole_load.changes();
-  const Eigen::Vector4d sink = filter.sole_compliance() * feet.load;
   const FeetMatrix rolling_lever =
-      (-kRollingShare * normal * sink.transpose()).colwise() + feet.lever;
+      (-kRollingShare * normal * sole_sink().transpose()).colwise() + feet.lever;
   filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, rolling_lever, dt));
   for (int leg = 0; leg < kLegs; ++leg) {
     feet.y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
@@ -150,8 +151,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   }
   // While the IMU repeats old values, the innovations contain motion that the IMU did not measure.
   // The noise of the feet must not adapt to this motion.
-  const bool imu_is_fresh = imu.w_age == 1 && imu.f_age <= 2;
-  if (imu_is_fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
+  if (imu_is_fresh()) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
   // If the gate rejects all stance feet, the prediction is wrong and the feet are right: an impact
   // has saturated the accelerometer. The variance must grow, or the gate would reject the feet for
   // ever.

@@ -46,6 +46,10 @@ struct StateEstimator::Impl {
   Vector3 base_acceleration() const noexcept;
   bool torques_valid() const noexcept { return torque_check.verdict() == SensorVerdict::kGood; }
   bool supported() const noexcept;
+  Eigen::Vector4d sole_sink() const noexcept { return filter.sole_compliance() * sole_load.load(); }
+  /// Return whether the IMU has measured the motion of this tick.
+  bool imu_is_fresh() const noexcept { return imu.w_age == 1 && imu.f_age <= 2; }
+  /// Return whether the robot steps, by its planner or by its contacts.
   bool feet_step() const noexcept { return planner_steps || step_detector.steps(); }
   bool attitude_diverged() const noexcept;
 

@@ -28,7 +28,7 @@ constexpr double kAlignedTiltSigma = 0.035;
 // [foot radius] Initial standard deviation of the depth by which soles yield under the weight of
 // the robot. Chosen: a sole of rubber yields by less than half of its radius under the load of a
 // trotting foot, half of the weight.
-constexpr double kSoleSigma = 1.0;
+constexpr double kSoleSigma = 0.5;
 
 // Remove the heading from an attitude, because the world frame has the heading of the base at the
 // first sample.

@@ -26,6 +26,8 @@ Eigen::Vector4d StateEstimator::normal_forces_from_torques() const noexcept {
   return impl_->leg_forces.forces().transpose() * impl_->normal;
 }
 
+Eigen::Vector4d StateEstimator::sole_sink() const noexcept { return impl_->sole_sink(); }
+
 void StateEstimator::set_gains(const Gains& gains) {
   gains.validate();
   impl_->gains = gains;

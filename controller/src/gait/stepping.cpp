@@ -37,6 +37,12 @@ int leg_to_swing(const PlannerInput& input) noexcept {
   return distance(FL_, RR_) < distance(FR_, RL_) ? FR_ : FL_;
 }
 
+// Return the points of the ground under the feet, without the sink of the soles: a foot that lands
+// meets this surface.
+FeetMatrix surface_points(const PlannerInput& input, const Vector3& normal) noexcept {
+  return input.p_feet + normal * input.sole_sink.transpose();
+}
+
 }  // namespace
 
 void Stepping::start(const PlannerInput& input, const Vector3& ground_normal, bool walk,
@@ -55,7 +61,7 @@ void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
                      double height_offset) noexcept {
   at_rest_ = false;
   feet_.start(input.p_feet);
-  ground_.start(input.p_feet, input.state.contact, ground_normal);
+  ground_.start(surface_points(input, ground_normal), input.state.contact, ground_normal);
   sway_.start();
   const Eigen::Vector2d p = input.p_com.head<2>();
   body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p) - height_offset);
@@ -96,8 +102,9 @@ void Stepping::update_schedule(const PlannerInput& input, bool walk, const WalkV
 
 void Stepping::update_ground(const PlannerInput& input, bool steady) noexcept {
   feet_.update_clearance(input, contacts(), ground_, steady, size_.fastest_hip(body_.velocity()));
+  const FeetMatrix points = surface_points(input, ground_.normal());
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (contacts().phase(leg) == FootPhase::kStance) ground_.stand_at(leg, input.p_feet.col(leg));
+    if (contacts().phase(leg) == FootPhase::kStance) ground_.stand_at(leg, points.col(leg));
   }
   ground_.update(size_.time, input.p_com.head<2>(), input.dt);
 }

@@ -8,9 +8,10 @@ namespace surefoot {
 
 /// Return the input of a planner; the parameters are its fields. `state`, `gains` and `dynamics`
 /// must outlive the result. Real-time: yes.
-inline PlannerInput make_planner_input(const RobotState& state, const Gains& gains,
-                                       const Dynamics& dynamics, double dt, double delay,
-                                       double mass, int lost_leg) noexcept {
+inline PlannerInput make_planner_input(
+    const RobotState& state, const Gains& gains, const Dynamics& dynamics, double dt, double delay,
+    double mass, int lost_leg,
+    const Eigen::Vector4d& sole_sink = Eigen::Vector4d::Zero()) noexcept {
   PlannerInput input{state,
                      gains,
                      dynamics,
@@ -23,6 +24,7 @@ inline PlannerInput make_planner_input(const RobotState& state, const Gains& gai
                      dynamics.w_world_base(),
                      contact_points(dynamics),
                      FeetMatrix(),
+                     sole_sink,
                      lost_leg};
   for (int leg = 0; leg < kLegs; ++leg) {
     input.v_feet.col(leg) = dynamics.legs()[leg].v_world_contact;

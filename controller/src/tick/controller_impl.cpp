@@ -125,9 +125,9 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
     return Status::kFallen;
   }
   started = true;
-  const Status plan_status =
-      planned.plan(make_planner_input(estimator.state(), controller.gains(), dynamics, dt,
-                                      predictor.horizon(clock.period()), robot.mass(), lost_leg));
+  const Status plan_status = planned.plan(make_planner_input(
+      estimator.state(), controller.gains(), dynamics, dt, predictor.horizon(clock.period()),
+      robot.mass(), lost_leg, estimator.sole_sink()));
   if (!planned.has_reference()) return plan_status;
   estimator.set_ground_normal(planned.reference().ground_normal);
   estimator.set_stepping(planned.reference().stepping);

@@ -23,12 +23,13 @@ constexpr double kMeanTime = 0.1;
 // Difference between load and mean load above which the load changes. Chosen: five times the
 // errors of the loads at rest, and a fifth of the load of a trotting foot.
 constexpr double kMinChange = 0.1;
-// [foot radius / sqrt(s)] Random walk of the sole compliance per foot whose load changes. Chosen:
-// some strides on another ground change the estimate.
+// [foot radius / sqrt(s)] Random walk of the sole compliance of a robot that steps, per foot whose
+// load changes. Chosen: some strides on another ground change the estimate.
 constexpr double kDrift = 0.02;
 }  // namespace
 
 void SoleLoad::update(const Eigen::Vector4d& load, bool steps, double dt) noexcept {
+  steps_ = steps;
   const double band = steps ? 0.0 : kBand;
   for (int leg = 0; leg < kLegs; ++leg) {
     load_[leg] = std::max(0.0, std::clamp(load_[leg], load[leg] - band, load[leg] + band));
@@ -46,6 +47,7 @@ Eigen::Vector4d SoleLoad::sink_variance(double compliance, double dt) const noex
 }
 
 double SoleLoad::process_variance(double radius, double dt) const noexcept {
+  if (!steps_) return 0.0;
   const auto feet = std::count(changes_.begin(), changes_.end(), true);
   return static_cast<double>(feet) * kDrift * kDrift * radius * radius * dt;
 }

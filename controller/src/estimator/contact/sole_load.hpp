@@ -23,7 +23,8 @@ class SoleLoad {
   /// @param compliance depth by which a sole yields under the weight [m]
   Eigen::Vector4d sink_variance(double compliance, double dt) const noexcept;
   const std::array<bool, kLegs>& changes() const noexcept { return changes_; }
-  /// Return the process noise of the sole compliance [m^2]: another ground may be softer.
+  /// Return the process noise of the sole compliance [m^2]: a robot that steps may step
+  /// onto softer ground.
   /// @param radius of the feet [m]
   double process_variance(double radius, double dt) const noexcept;
 
@@ -34,6 +35,7 @@ class SoleLoad {
   Eigen::Vector4d lagged_ = Eigen::Vector4d::Constant(1.0 / kLegs);
   Eigen::Vector4d mean_ = Eigen::Vector4d::Constant(1.0 / kLegs);
   std::array<bool, kLegs> changes_{};
+  bool steps_ = false;
 };
 
 }  // namespace surefoot
