@@ -113,9 +113,9 @@ void bind_state_estimator(nb::module_& m) {
            "    quaternion that is not of unit length only changes its verdict in report.")
       .def("set_stepping", &StateEstimator::set_stepping, "stepping"_a,
            "Set whether a planner lets feet step; initially False. Real-time: yes.\n\n"
-           "Impacts of feet vibrate in the IMU: its noise is then assumed instead of measured, no\n"
-           "push is estimated from it, and the payload stays as it was. A foot that slipped is\n"
-           "trusted again after its next touchdown.")
+           "The estimator recognises a robot that steps from its contacts too, two touchdowns\n"
+           "late. Then it assumes the noise of the IMU instead of measuring it, and the payload\n"
+           "stays as it was. While the planner lets feet step, it estimates no push.")
       .def_prop_ro(
           "state", [](const StateEstimator& e) { return RobotState(e.state()); },
           "State after the last processed sample, a copy.")
@@ -125,6 +125,10 @@ void bind_state_estimator(nb::module_& m) {
       .def_prop_ro("normal_forces_from_torques", &StateEstimator::normal_forces_from_torques,
                    "Normal force on each foot [N], computed from the joint torques, FR FL RR RL,\n"
                    "shape (4,).")
+      .def_prop_ro(
+          "sole_sink", &StateEstimator::sole_sink,
+          "Depth by which each sole yields under its load [m], FR FL RR RL, shape (4,), see\n"
+          "EstimatorReport.sole_compliance.")
       .def_prop_ro(
           "has_foot_force_est", &StateEstimator::has_foot_force_est,
           "True if footForceEst works on this robot, because its sum has matched the load\n"

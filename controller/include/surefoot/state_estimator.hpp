@@ -76,9 +76,10 @@ class StateEstimator {
   /// @param f_push [N] push that the plan included, world axes: f_external - f_sustained
   void set_planned_motion(const Vector6& a_base, const Vector12& tau,
                           const Vector3& f_push) noexcept;
-  /// Set whether a planner lets feet step; initially false. Impacts of feet vibrate in the IMU: its
-  /// noise is then assumed instead of measured, no push is estimated from it, and the payload stays
-  /// as it was. A foot that slipped is trusted again after its next touchdown. Real-time: yes.
+  /// Set whether a planner lets feet step; initially false. The estimator recognises a robot that
+  /// steps from its contacts too, two touchdowns late. Then it assumes the noise of the IMU instead
+  /// of measuring it, and the payload stays as it was. While the planner lets feet step, it
+  /// estimates no push. Real-time: yes.
   void set_stepping(bool stepping) noexcept;
   /// Discard the estimate and start again with the next sample. Real-time: yes.
   void reset() noexcept;
