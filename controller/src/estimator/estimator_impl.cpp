@@ -106,7 +106,9 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
-  state.friction = slip.friction(gains);
+  const double travelled = v_base.norm() > kMinTravelSpeed ? dt * v_base.norm() : 0.0;
+  friction.update({v_contact, leg_forces.forces(), state.contact, normal, travelled, stepping}, dt);
+  state.friction = friction.share() * slip.friction(gains);
 }
 
 void StateEstimator::Impl::correct(double dt) noexcept {

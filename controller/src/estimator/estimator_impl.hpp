@@ -3,6 +3,7 @@
 
 #include "estimator/contact/contact_confidence.hpp"
 #include "estimator/contact/foot_clearance.hpp"
+#include "estimator/contact/friction_estimate.hpp"
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
 #include "estimator/contact/torque_check.hpp"
@@ -60,6 +61,7 @@ struct StateEstimator::Impl {
   LegForces leg_forces;
   ContactConfidence contact;
   SlipDetector slip;
+  FrictionEstimate friction;
   FootClearance clearance;
   PayloadObserver payload;
   PushObserver push;

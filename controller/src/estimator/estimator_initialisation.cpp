@@ -64,6 +64,7 @@ StateEstimator::Impl::Impl(const Robot& r)
       gains(r.config().gains),
       dynamics(r),
       contact(r.mass() * kGravity),
+      friction(r),
       payload(r.mass()),
       state(r.nq(), r.nv()) {}
 
@@ -80,6 +81,7 @@ void StateEstimator::Impl::reset() noexcept {
   leg_forces.reset();
   contact.reset();
   slip.reset();
+  friction.reset();
   clearance.reset();
   payload.reset();
   push.reset();
