@@ -20,7 +20,7 @@ def run(friction: float, **settings) -> WalkLog:
 
 @pytest.mark.parametrize("friction", [0.2, 0.3, 0.4])
 def test_one_push_on_a_slippery_floor_teaches_its_friction(friction: float) -> None:
-    log = run(friction, duration=2.5, pushes=(parse_push("lateral:60%:0.1@1.0"),))
+    log = run(friction, duration=2.5, pushes=(parse_push("lateral:80%:0.1@1.0"),))
     assert not log.fell
     assert log.friction[int(0.9 * 500)] == log.robot.config.friction
     assert log.friction[-1] == pytest.approx(friction, abs=0.08)

@@ -86,6 +86,14 @@ BOOST_FIXTURE_TEST_CASE(force_that_does_not_oppose_the_motion_is_no_friction, Fr
   BOOST_TEST(run(0.5) == assumed());
 }
 
+BOOST_FIXTURE_TEST_CASE(speed_that_all_feet_have_in_common_is_no_sliding, FrictionFixture) {
+  forces.row(0) = -0.2 * forces.row(2);
+  v.row(0).setConstant(0.5);
+  BOOST_TEST(run(0.5) == assumed());
+  v(0, FL_) = 1.0;
+  BOOST_TEST(run(0.1) < 0.25);
+}
+
 BOOST_FIXTURE_TEST_CASE(unloaded_slow_or_sinking_foot_does_not_slide, FrictionFixture) {
   BOOST_TEST(slide(0.2, 0.02, 1.0) == assumed());
   v.setZero();

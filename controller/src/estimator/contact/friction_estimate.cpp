@@ -69,36 +69,59 @@ void FrictionEstimate::update(const FrictionInput& input, double dt) noexcept {
   friction_work_ *= fading;
   sliding_ *= fading;
   held_ *= fading;
-  for (int leg = 0; leg < kLegs; ++leg) learn_from_foot(leg, input, dt);
+  filter_velocities(input, dt);
+  const double common_speed = slowest_loaded_foot(input);
+  for (int leg = 0; leg < kLegs; ++leg) learn_from_foot(leg, input, common_speed, dt);
   const double estimate =
       assumed_ + (friction_work_ - assumed_ * sliding_) / (sliding_ + kPriorDistance);
   coefficient_ =
       std::clamp(std::max(estimate, held_), std::min(kMinCoefficient, assumed_), assumed_);
 }
 
-void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, double dt) noexcept {
-  const bool in_contact = input.contact[leg] > kContact;
-  // The low-pass restarts at touchdown, because the velocity of the swing is no sliding.
-  if (in_contact && stance_time_[leg] == 0.0) v_filtered_.col(leg) = input.v_contact.col(leg);
-  stance_time_[leg] = in_contact ? stance_time_[leg] + dt : 0.0;
-  v_filtered_.col(leg) +=
-      dt / (dt + kVelocityFilterTime) * (input.v_contact.col(leg) - v_filtered_.col(leg));
+void FrictionEstimate::filter_velocities(const FrictionInput& input, double dt) noexcept {
+  const FeetMatrix v =
+      input.v_contact - input.normal * (input.normal.transpose() * input.v_contact);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const bool in_contact = input.contact[leg] > kContact;
+    // The low-pass restarts at touchdown, because the velocity of the swing is no sliding.
+    if (in_contact && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v.col(leg);
+    stance_time_[leg] = in_contact ? stance_time_[leg] + dt : 0.0;
+    v_filtered_.col(leg) += dt / (dt + kVelocityFilterTime) * (v.col(leg) - v_filtered_.col(leg));
+  }
+}
+
+// Return the speed of the slowest loaded foot [m/s], or 0 with fewer than two loaded feet. A speed
+// that all feet have in common may be an error of the base velocity.
+double FrictionEstimate::slowest_loaded_foot(const FrictionInput& input) const noexcept {
+  double slowest = std::numeric_limits<double>::infinity();
+  int count = 0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double load = input.normal.dot(input.forces.col(leg)) / weight_;
+    if (stance_time_[leg] == 0.0 || load <= kMinLoad) continue;
+    slowest = std::min(slowest, v_filtered_.col(leg).norm());
+    ++count;
+  }
+  return count >= 2 ? slowest : 0.0;
+}
+
+void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, double common_speed,
+                                       double dt) noexcept {
   const bool stepping = time_since_steps_ < kAfterSteps;
-  const Vector3 force = input.forces.col(leg);
+  const Vector3 force = input.forces.col(leg), v = v_filtered_.col(leg);
   const double f_n = force.dot(input.normal);
   if (stance_time_[leg] <= kSettlingTime * std::sqrt(height_ / kGravity) ||
       f_n <= (stepping ? kSteppingMinLoad : kMinLoad) * weight_) {
     holding_ratio_[leg] = 0.0;
     return;
   }
-  const Vector3 f_t = force - f_n * input.normal, v = v_filtered_.col(leg);
-  const Vector3 v_t = v - v.dot(input.normal) * input.normal;
-  const double ratio = f_t.norm() / f_n, speed = v_t.norm(), unit = std::sqrt(kGravity * height_);
+  const Vector3 f_t = force - f_n * input.normal;
+  const double ratio = f_t.norm() / f_n, speed = v.norm(), unit = std::sqrt(kGravity * height_);
   holding_ratio_[leg] += dt / (dt + kRatioFilterTime) * (ratio - holding_ratio_[leg]);
   if (speed < kHoldingSpeed * unit) held_ = std::max(held_, holding_ratio_[leg]);
-  const double sliding_speed = -v_t.dot(f_t) / std::max(f_t.norm(), 1e-9);
+  const double opposed_speed = -v.dot(f_t) / std::max(f_t.norm(), 1e-9);
+  const double sliding_speed = opposed_speed - common_speed;
   const double least_speed = (stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
-  if (sliding_speed > least_speed && sliding_speed > kMinAlignment * speed)
+  if (sliding_speed > least_speed && opposed_speed > kMinAlignment * speed)
     slide(ratio, f_n / weight_ * sliding_speed * dt / height_);
 }
 

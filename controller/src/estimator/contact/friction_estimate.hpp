@@ -30,8 +30,10 @@ struct FrictionInput {
 /// has lasted long enough to lower the ratio that held. Both memories fade with the distance that
 /// the robot travels, because another place may have another friction.
 ///
-/// Motion of a soft sole while its load changes does not count: after touchdown, sliding counts
-/// only with enough load and speed, and only if the force opposes it.
+/// The speed of the slowest loaded foot is subtracted, because a speed that all feet have in common
+/// may be an error of the base velocity. Motion of a soft sole while its load changes does not
+/// count: after touchdown, sliding counts only with enough load and speed, and only if the force
+/// opposes it.
 ///
 /// Source of the ratio of a slipping foot as friction: Focchi et al. 2018, "Slip detection and
 /// recovery for quadruped robots". Real-time: yes.
@@ -50,7 +52,10 @@ class FrictionEstimate {
   void reset() noexcept;
 
  private:
-  void learn_from_foot(int leg, const FrictionInput& input, double dt) noexcept;
+  void filter_velocities(const FrictionInput& input, double dt) noexcept;
+  double slowest_loaded_foot(const FrictionInput& input) const noexcept;
+  void learn_from_foot(int leg, const FrictionInput& input, double common_speed,
+                       double dt) noexcept;
   void slide(double ratio, double weighted_distance) noexcept;
 
   double assumed_;  // RobotConfig::friction
@@ -61,7 +66,7 @@ class FrictionEstimate {
   double sliding_ = 0.0;        // [m g h] the same for a friction coefficient of 1
   double held_ = 0.0;           // |f_t| / f_n that has held
   double time_since_steps_ = std::numeric_limits<double>::infinity();  // [s]
-  FeetMatrix v_filtered_ = FeetMatrix::Zero();                         // [m/s]
+  FeetMatrix v_filtered_ = FeetMatrix::Zero();                         // [m/s] along the ground
   Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();              // [s] since touchdown
   Eigen::Vector4d holding_ratio_ = Eigen::Vector4d::Zero();            // |f_t| / f_n, low-passed
 };
