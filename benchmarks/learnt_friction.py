@@ -19,7 +19,7 @@ import numpy as np
 from seed_runs import ROBOTS
 from surefoot import Gait
 from surefoot.stand import parse_push
-from surefoot.walk import WalkLog, WalkSettings, parse_velocity, run_walk
+from surefoot.walk import WalkLog, WalkSettings, parse_velocity, run_walk, summarise
 
 FLOORS = (0.2, 0.3, 0.4, 0.5, 0.65, 0.8)
 SEEDS = (1, 2, 3)
@@ -42,12 +42,13 @@ def run(robot: str, motion: str, friction: float, soft: bool, seed: int) -> Walk
 
 
 def slip(log: WalkLog) -> float:
-    """Return the path that a foot slips while it is loaded, in a step or in all [mm]."""
+    """Return the slip [mm]: per step of a trot, and in all for each foot of a stand."""
+    per_step = summarise(log)["slip_mm_per_step"]
+    if log.settings.gait == Gait.TROT and per_step is not None:
+        return float(per_step)
     speed = np.linalg.norm(log.slip_velocity[:, :2], axis=1)
     loaded = log.normal_forces > LOADED * log.weight
-    path = 1000.0 * float((speed * loaded).sum()) / log.settings.plant.control_rate
-    landings = int((loaded[1:] & ~loaded[:-1]).sum()) if log.walking.any() else 0
-    return path / max(landings, 4)
+    return 250.0 * float((speed * loaded).sum()) / log.settings.plant.control_rate
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -18,9 +18,10 @@ def run(friction: float, **settings) -> WalkLog:
     return run_walk(replace(walk, plant=replace(walk.plant, friction=friction)))
 
 
-@pytest.mark.parametrize("friction", [0.2, 0.3, 0.4])
-def test_one_push_on_a_slippery_floor_teaches_its_friction(friction: float) -> None:
-    log = run(friction, duration=2.5, pushes=(parse_push("lateral:80%:0.1@1.0"),))
+# On a floor of 0.4, a push of 60 % makes a foot slide by 1 mm only, which teaches less.
+@pytest.mark.parametrize(("friction", "percent"), [(0.2, 60), (0.3, 60), (0.4, 80)])
+def test_one_push_on_a_slippery_floor_teaches_its_friction(friction: float, percent: int) -> None:
+    log = run(friction, duration=2.5, pushes=(parse_push(f"lateral:{percent}%:0.1@1.0"),))
     assert not log.fell
     assert log.friction[int(0.9 * 500)] == log.robot.config.friction
     assert log.friction[-1] == pytest.approx(friction, abs=0.08)
