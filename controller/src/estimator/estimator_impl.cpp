@@ -125,7 +125,10 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);
-  state.friction = slip.friction(gains);
+  const double travelled = v_base.norm() > kMinTravelSpeed ? dt * v_base.norm() : 0.0;
+  friction.update(
+      {v_contact, leg_forces.forces(), state.contact, normal, travelled, feet_step()}, dt);
+  state.friction = friction.share() * slip.friction(gains);
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),
