@@ -81,7 +81,7 @@ void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& co
   reference.v_base = reference.v_com;
   reference.stepping = true;
   for (int leg = 0; leg < kLegs; ++leg) {
-    feet_.plan(leg, input, schedule_, measured, body_, ground_);
+    feet_.plan(leg, input, schedule_, measured, body_, ground_, steady);
     feet_.write(leg, input, contacts(), reference.feet[leg]);
   }
 }

@@ -67,7 +67,7 @@ Eigen::Vector2d SwingFeet::foot_across(int leg, const PlannerInput& input,
 
 void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& schedule,
                      const HorizontalMotion& measured, const BodyTrajectory& body,
-                     const GroundPlane& ground) noexcept {
+                     const GroundPlane& ground, bool steady) noexcept {
   const FootContacts& contacts = schedule.contacts();
   const GaitClock& clock = schedule.clock();
   if (contacts.lifted_off(leg) || contacts.lost(leg)) swings_[leg].lift_off(input.p_feet.col(leg));
@@ -79,10 +79,9 @@ void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& sch
   if (contacts.phase(leg) != FootPhase::kSwing) return;
   const double time_left =
       stumble_.lifting(leg) ? stumble_.time_left(leg) : clock.time_to_touchdown(leg);
-  const Eigen::Vector2d xy = keep_apart(
-      size_, body.yaw(), leg,
-      foothold(input.gains, size_, measured, body, leg, time_left, clock.timing().stance_time()),
-      foot_across(leg, input, contacts));
+  Eigen::Vector2d xy =
+      foothold(input.gains, size_, measured, body, leg, time_left, clock.timing().stance_time());
+  if (steady) xy = keep_apart(size_, body.yaw(), leg, xy, foot_across(leg, input, contacts));
   footholds_.col(leg) << xy, ground.height_at(xy);
   swing(leg, input, schedule, time_left);
 }

@@ -30,9 +30,11 @@ class SwingFeet {
   void update_clearance(const PlannerInput& input, const FootContacts& contacts,
                         const GroundPlane& ground, bool steady, double speed) noexcept;
   /// Advance the motion of a foot.
+  /// @param steady as in judge_contacts(). A step that brakes a push may cross the other leg:
+  /// pushed robots then fall less often
   void plan(int leg, const PlannerInput& input, const StepSchedule& schedule,
-            const HorizontalMotion& measured, const BodyTrajectory& body,
-            const GroundPlane& ground) noexcept;
+            const HorizontalMotion& measured, const BodyTrajectory& body, const GroundPlane& ground,
+            bool steady) noexcept;
   /// Write the reference of a foot.
   void write(int leg, const PlannerInput& input, const FootContacts& contacts,
              FootReference& foot) const noexcept;
