@@ -35,7 +35,7 @@ def estimate():
 
 def test_estimator_receives_each_log_row_as_a_low_state(estimate) -> None:
     log = moving_log()
-    alone, steps = StateEstimator(robot()), np.diff(log.time, prepend=-0.002)
+    alone, steps = StateEstimator(robot()), np.diff(log.time, prepend=log.time[0] - log.period)
     for k, row in enumerate(np.concatenate(list(low_state_blocks(log, log.sensor("dq"))))):
         assert alone.update(LowState.from_bytes(row.tobytes()), steps[k]) == Status.OK
         for name in ("q", "v", "contact"):
