@@ -53,7 +53,9 @@ def slope(robot: str, seed: int) -> Scenario:
 
 def blocks(robot: str, seed: int) -> Scenario:
     """Return a walk over blocks of up to 3 cm."""
-    return _walk(robot, _plant(seed, terrain=Terrain(block_height=0.03, seed=seed)), _straight(0.4, 0.0))
+    return _walk(
+        robot, _plant(seed, terrain=Terrain(block_height=0.03, seed=seed)), _straight(0.4, 0.0)
+    )
 
 
 def ice(robot: str, seed: int) -> Scenario:

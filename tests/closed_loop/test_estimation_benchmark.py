@@ -23,7 +23,7 @@ from estimation.metrics import Result
 from estimation.recording import Scenario, record
 from estimation.replay import replay
 from estimation.report import Row, summarise
-from estimation.scenarios import SCENARIOS, push60
+from estimation.scenarios import push60
 
 pytestmark = pytest.mark.slow
 
@@ -138,7 +138,7 @@ def test_delays_missed_and_false_transitions_are_counted() -> None:
 
 
 def test_every_case_names_recordings_that_exist() -> None:
-    assert all(set(case.scenarios) <= set(SCENARIOS) for case in CASES.values())
+    assert all(set(case.scenarios) <= set(evaluation.RECORDINGS) for case in CASES.values())
 
 
 def test_foot_forces_sum_to_the_weight(pushed_log: Log) -> None:
