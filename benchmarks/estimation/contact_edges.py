@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -76,7 +77,7 @@ def without_short_phases(on: Array, rows: int) -> Array:
     """Return on (n,) with phases of less than `rows` rows joined to the phase before them."""
     out = on.copy()
     ends = [0, *_edges(on).tolist(), len(on)]
-    for start, end in zip(ends[1:-1], ends[2:], strict=True):
+    for start, end in pairwise(ends[1:]):
         if end - start < rows and end < len(on):
             out[start:end] = out[start - 1]
     return out

@@ -158,8 +158,8 @@ PLOTS: tuple[Plot[Estimate], ...] = (
     Plot(
         "stance.png",
         "Stances",
-        "Each bar is a stance of a foot, with contact confidence above 0.5: over the whole log, and "
-        "over the 4 s with the most steps. Narrow bars: true contact.",
+        "Each bar is a stance of a foot, with contact confidence above 0.5: over the whole log, "
+        "and over the 4 s with the most steps. Narrow bars: true contact.",
         draw_stance,
     ),
     Plot("verdicts.png", "Verdicts", "Verdict on each sensor over time.", draw_verdicts),

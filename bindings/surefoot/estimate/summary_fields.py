@@ -107,7 +107,7 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
             "null without --baseline. For Surefoot (surefoot), a linear Kalman filter and leg "
             "odometry, both with the attitude of VQF: closure (horizontal distance from start to "
             "end) [m], height_drift (end minus start) [m], yaw_deg (end minus start), RMS "
-            "differences to Surefoot of velocity [m/s] and tilt [deg], and the RMS of velocity_error "
+            "differences to Surefoot of velocity [m/s] and tilt [deg], and RMS of velocity_error "
             "[m/s] against truth_v; velocities in the axes of the heading",
         ),
     ),

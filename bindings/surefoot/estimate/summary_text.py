@@ -87,8 +87,9 @@ def stride_lines(s: dict[str, Any]) -> list[str]:
 def baseline_lines(s: dict[str, Any]) -> list[str]:
     """Return one line for the estimator and for each baseline; none without baselines."""
     return [
-        f"{name.replace('_', ' ')}: closure {v['closure']:.3f} m, height {v['height_drift']:+.3f} m, "
-        f"yaw {v['yaw_deg']:+.1f} deg, velocity differs by {v['velocity_difference']:.3f} m/s, "
+        f"{name.replace('_', ' ')}: closure {v['closure']:.3f} m, "
+        f"height {v['height_drift']:+.3f} m, yaw {v['yaw_deg']:+.1f} deg, "
+        f"velocity differs by {v['velocity_difference']:.3f} m/s, "
         f"tilt by {v['tilt_difference_deg']:.2f} deg"
         for name, v in (s["baselines"] or {}).items()
     ]

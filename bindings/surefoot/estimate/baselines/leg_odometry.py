@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from surefoot.estimate.base_motion import BaseMotion
-from surefoot.estimate.foot_motion import FootMotion
 from surefoot.estimate.baselines.inputs import BaselineInputs
 from surefoot.estimate.baselines.odometry_velocity import contact_velocity
+from surefoot.estimate.foot_motion import FootMotion
 from surefoot.geometry.batch_rotations import Array
 
 

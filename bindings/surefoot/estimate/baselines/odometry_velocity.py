@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from surefoot.estimate.foot_motion import FootMotion
 from surefoot.estimate.baselines.inputs import BaselineInputs
+from surefoot.estimate.foot_motion import FootMotion
 from surefoot.geometry.batch_rotations import Array
 
 

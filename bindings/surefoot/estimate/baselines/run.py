@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from surefoot.estimate.base_motion import BaseMotion
-from surefoot.estimate.foot_motion import foot_motion
 from surefoot.estimate.baselines.inputs import BaselineInputs
 from surefoot.estimate.baselines.leg_odometry import leg_odometry
 from surefoot.estimate.baselines.linear_filter import linear_filter
 from surefoot.estimate.baselines.stance_trust import stance_trust
 from surefoot.estimate.baselines.vqf_attitude import vqf_attitude
+from surefoot.estimate.foot_motion import foot_motion
 
 LINEAR_FILTER, LEG_ODOMETRY = "linear_kalman_filter", "leg_odometry"
 
