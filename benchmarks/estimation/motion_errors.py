@@ -15,9 +15,9 @@ from estimation.recording import sample_rate
 
 START_TIME = 1.0  # [s] time from which on the drift counts
 WALK_START, WALK_END = 2.5, 1.5  # [s] after the start and before the end: only walking between
-RELATIVE_DISTANCE = 2.0  # [m] way over which relative errors are computed
-RELATIVE_INTERVAL = 0.2  # [s] time between two starts of such a way
-MOVED = 0.05  # [m] way after which the robot walks
+RELATIVE_DISTANCE = 2.0  # [m] path over which relative errors are computed
+RELATIVE_INTERVAL = 0.2  # [s] time between two starts of such a path
+MOVED = 0.05  # [m] path after which the robot walks
 
 
 def true_motion(log: Log) -> BaseMotion:
@@ -34,7 +34,7 @@ def motion_values(log: Log, motion: BaseMotion) -> Values:
     to_true = rotations_about_z(truth.yaw - motion.yaw)
     velocity = np.einsum("nij,nj->ni", to_true, motion.velocity) - truth.velocity
     in_heading = np.einsum("nji,nj->ni", rotations_about_z(truth.yaw[walk]), velocity[walk])
-    end, way = end_error(log, motion), way_length(log)[-1]
+    end, path = end_error(log, motion), path_length(log)[-1]
     relative = [np.linalg.norm(error[:2]) for _, _, error in relative_errors(log, motion)]
     turned = (motion.yaw - truth.yaw)[[start_row(log), -1]]
     return {
@@ -42,8 +42,8 @@ def motion_values(log: Log, motion: BaseMotion) -> Values:
         "velocity RMSE y": rms(in_heading[:, 1]),
         "velocity RMSE z": rms(in_heading[:, 2]),
         "tilt RMS": float(np.degrees(rms(tilt_between(truth.rotation, motion.rotation)[walk]))),
-        "end error": 100.0 * float(np.linalg.norm(end[:2])) / way,
-        "height drift": 100.0 * abs(float(end[2])) / way,
+        "end error": 100.0 * float(np.linalg.norm(end[:2])) / path,
+        "height drift": 100.0 * abs(float(end[2])) / path,
         "yaw error": abs(float(np.degrees(turned[1] - turned[0]))),
         "relative error": 100.0 * float(np.mean(relative)) / RELATIVE_DISTANCE
         if relative
@@ -62,8 +62,8 @@ def start_row(log: Log) -> int:
     return round(START_TIME * sample_rate(log))
 
 
-def way_length(log: Log) -> Array:
-    """Return the length of the true way (n,) [m] in the plane up to each row."""
+def path_length(log: Log) -> Array:
+    """Return the length of the true path (n,) [m] in the plane up to each row."""
     steps = np.linalg.norm(np.diff(log["truth_p"][:, :2], axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
@@ -75,14 +75,14 @@ def end_error(log: Log, motion: BaseMotion) -> Array:
 
 
 def relative_errors(log: Log, motion: BaseMotion) -> Iterator[tuple[int, int, Array]]:
-    """Yield start row, end row and position error (3,) [m] of each way of RELATIVE_DISTANCE.
+    """Yield start row, end row and position error (3,) [m] of each path of RELATIVE_DISTANCE.
 
-    The motion is aligned with the truth in position and yaw at the start of each way.
+    The motion is aligned with the truth in position and yaw at the start of each path.
     """
-    truth, way = true_motion(log), way_length(log)
-    for start in range(0, len(way), round(RELATIVE_INTERVAL * sample_rate(log))):
-        end = int(np.searchsorted(way, way[start] + RELATIVE_DISTANCE))
-        if way[start] >= MOVED and end < len(way):
+    truth, path = true_motion(log), path_length(log)
+    for start in range(0, len(path), round(RELATIVE_INTERVAL * sample_rate(log))):
+        end = int(np.searchsorted(path, path[start] + RELATIVE_DISTANCE))
+        if path[start] >= MOVED and end < len(path):
             yield start, end, _relative_error(truth, motion, start, end)
 
 

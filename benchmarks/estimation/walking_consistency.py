@@ -35,10 +35,10 @@ def _nees(error: Array, covariance: Array) -> float:
 
 
 def _position_nees(log: Log, covariance: Array, motion: BaseMotion) -> float:
-    """Return the NEES of the horizontal relative position; NaN if the way is too short.
+    """Return the NEES of the horizontal relative position; NaN if the path is too short.
 
     With the yaw error psi at the start a, the error at the end b is the error at a, plus psi
-    times the way turned by 90 deg, plus the relative error, which is independent of both.
+    times the displacement turned by 90 deg, plus the relative error, which is independent of both.
     """
     squares, rows = [], [*POSITION, YAW]
     for a, b, error in relative_errors(log, motion):

@@ -31,13 +31,13 @@ def _by_scenario() -> dict[str, Metric]:
         for axis in "xyz":
             metrics[f"velocity RMSE {axis}: {name}"] = Metric("m/s", limit)
     for name, limit in _CLOSURE.items():
-        metrics[f"end error: {name}"] = Metric("% of way", limit)
-        metrics[f"height drift: {name}"] = Metric("% of way", limit)
+        metrics[f"end error: {name}"] = Metric("% of the path", limit)
+        metrics[f"height drift: {name}"] = Metric("% of the path", limit)
         metrics[f"yaw error: {name}"] = Metric("deg", 1.0)
     for name in (*LEVEL, "slope", "blocks"):
         metrics[f"tilt RMS: {name}"] = Metric("deg", 0.4, merged="rms")
-        metrics[f"relative error: {name}"] = Metric("% of way", 0.5)
-        metrics[f"relative error: {name}, radius off"] = Metric("% of way", 1.2)
+        metrics[f"relative error: {name}"] = Metric("% of the path", 0.5)
+        metrics[f"relative error: {name}, radius off"] = Metric("% of the path", 1.2)
         for figure in ("tilt", "velocity", "position", "yaw"):
             metrics[f"NEES {figure}: {name}"] = Metric("per dof", 2.0, 0.5, merged="mean")
         for condition, delay in _DELAY.items():
@@ -50,10 +50,10 @@ WALKING_METRICS: dict[str, Metric] = {
     **{f"walking/{name}": metric for name, metric in _by_scenario().items()},
     **{f"velocity RMSE {axis}": Metric("m/s") for axis in "xyz"},
     "tilt RMS": Metric("deg", merged="rms"),
-    "end error": Metric("% of way"),
-    "height drift": Metric("% of way"),
+    "end error": Metric("% of the path"),
+    "height drift": Metric("% of the path"),
     "yaw error": Metric("deg"),
-    "relative error": Metric("% of way"),
+    "relative error": Metric("% of the path"),
     "missed edges": Metric("% of edges", upper_limit=0, merged="mean"),
     "extra edges": Metric("% of edges", upper_limit=1, merged="mean"),
     "median of ratio": Metric("ours / best baseline", upper_limit=1, merged="median"),
