@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from surefoot.estimate.estimate_result import Estimate
 from surefoot.geometry.batch_rotations import Array
@@ -47,17 +48,17 @@ def transitions(time: Array, on: Array) -> list[Transition]:
     ]
 
 
-def stance_rows(contact: Array) -> list[tuple[int, int]]:
+def stance_rows(contact: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return first row and row after the last of each stance, from the contact (n,) of a foot.
 
-    `contact` is boolean. A stance that the ends of the log cut counts too.
+    A stance that the ends of the log cut counts too.
     """
     edges = np.diff(np.concatenate([[False], contact, [False]]).astype(np.int8))
     pairs = zip(np.flatnonzero(edges > 0), np.flatnonzero(edges < 0), strict=True)
     return [(int(start), int(end)) for start, end in pairs]
 
 
-def joined_stances(time: Array, contact: Array) -> list[tuple[int, int]]:
+def joined_stances(time: Array, contact: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return stance_rows() with stances joined that a swing shorter than MIN_SWING_TIME parts."""
     joined: list[tuple[int, int]] = []
     for start, end in stance_rows(contact):

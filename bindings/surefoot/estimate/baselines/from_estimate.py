@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import numpy.typing as npt
 
 from surefoot._core import Status
 from surefoot.estimate.base_motion import BaseMotion
@@ -13,7 +14,7 @@ from surefoot.estimate.baselines.run import run_baselines
 from surefoot.estimate.contact_events import THRESHOLD
 from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.joint_velocities import derive_velocities
-from surefoot.geometry.batch_rotations import Array, rotations_about_z
+from surefoot.geometry.batch_rotations import rotations_about_z
 
 
 def with_baselines(estimate: Estimate) -> Estimate:
@@ -34,7 +35,7 @@ def with_baselines(estimate: Estimate) -> Estimate:
     return replace(estimate, baselines=aligned)
 
 
-def _inputs(estimate: Estimate, accepted: Array) -> BaselineInputs:
+def _inputs(estimate: Estimate, accepted: npt.NDArray[np.int64]) -> BaselineInputs:
     log, rows = estimate.log, estimate.rows[accepted]
     dq = log.columns.get("dq")
     if dq is None:
@@ -42,13 +43,15 @@ def _inputs(estimate: Estimate, accepted: Array) -> BaselineInputs:
     return BaselineInputs.from_imu(
         estimate.robot,
         estimate.time[accepted],
-        *(log.columns[name][rows] for name in ("gyroscope", "accelerometer", "q")),
+        log.columns["gyroscope"][rows],
+        log.columns["accelerometer"][rows],
+        log.columns["q"][rows],
         dq[rows],
         estimate.contact[accepted] > THRESHOLD,
     )
 
 
-def _aligned(estimate: Estimate, accepted: Array, motion: BaseMotion) -> BaseMotion:
+def _aligned(estimate: Estimate, accepted: npt.NDArray[np.int64], motion: BaseMotion) -> BaseMotion:
     """Return a motion for every row: a rejected row repeats the last accepted row."""
     start = estimate.motion.rows(slice(accepted[0], accepted[0] + 1))
     turn = rotations_about_z(start.yaw - motion.yaw[:1])[0]
