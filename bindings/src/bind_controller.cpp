@@ -168,7 +168,8 @@ void bind_controller(nb::module_& m) {
           "After a tick that reached the QP, friction in this state is the share of\n"
           "RobotConfig.friction that the QP could use: in general at most 0.7 while the\n"
           "capture point is more than 6 cm inside the support edges, and less while a foot\n"
-          "slips. After any other tick it contains only the reduction for slipping feet.")
+          "slips; all of them of the learnt friction. After any other tick it contains only the\n"
+          "learnt friction and the reduction for slipping feet.")
       .def_prop_ro(
           "reference", [](const Controller& c) { return Reference(c.reference()); },
           "Reference that the last tick with a good estimate used, a copy.\n\n"

@@ -54,6 +54,9 @@ void bind_report(nb::module_& m) {
               "Method: generalised-momentum observer (De Luca, Mattone 2003).")
       .def_ro("slip", &R::slip,
               "How sure the estimator is that a loaded foot slips, 0 .. 1, shape (4,).")
+      .def_ro("friction", &R::friction,
+              "Friction coefficient of the ground, learnt from feet that slide and hold.\n\n"
+              "0.1 .. RobotConfig.friction; initially RobotConfig.friction.")
       .def_ro("gyroscope_bias", &R::gyroscope_bias,
               "Bias of the gyroscope [rad/s], base axes, shape (3,).")
       .def_ro("accelerometer_bias", &R::accelerometer_bias,
@@ -122,6 +125,8 @@ void bind_state_estimator(nb::module_& m) {
       .def_prop_ro(
           "report", [](const StateEstimator& e) { return EstimatorReport(e.report()); },
           "Uncertainty of the state and verdicts on the sensors, a copy.")
+      .def_prop_ro("ground_friction", &StateEstimator::ground_friction,
+                   "EstimatorReport.friction without the cost of a report.")
       .def_prop_ro("normal_forces_from_torques", &StateEstimator::normal_forces_from_torques,
                    "Normal force on each foot [N], computed from the joint torques, FR FL RR RL,\n"
                    "shape (4,).")

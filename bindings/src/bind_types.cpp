@@ -115,7 +115,8 @@ void bind_robot_state(nb::module_& m) {
       .def_rw("friction", &RobotState::friction,
               "Share of RobotConfig.friction that each foot may use, 0 .. 1, shape (4,), FR FL\n"
               "RR RL.\n\n"
-              "The share of a foot that slips is below 1.");
+              "It is below 1 on ground with less friction (EstimatorReport.friction), and smaller\n"
+              "for a foot that slips.");
 }
 
 void bind_reference(nb::module_& m) {

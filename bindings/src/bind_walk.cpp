@@ -36,6 +36,8 @@ void bind_velocity(nb::module_& m) {
              "vy: gain walk_speed_sideways; walk: walk_gait_speed.")
       .value("TURN", WalkLimit::kTurn,
              "yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed.")
+      .value("COMBINATION", WalkLimit::kCombination,
+             "All: the velocities together, or the acceleration of the body in a curve.")
       .value("POWER", WalkLimit::kPower,
              "All: the power that ControllerOptions.power_limit allows.")
       .value("NOT_FINITE", WalkLimit::kNotFinite,
@@ -93,7 +95,8 @@ void bind_walk_controller(nb::module_& m) {
            "Command a WalkVelocity; call it more often than WalkOptions.velocity_timeout.\n\n"
            "The velocity is clamped to the gains walk_speed_forward, walk_speed_backward,\n"
            "walk_speed_sideways and walk_turn_speed; in the gait WALK to walk_gait_speed and\n"
-           "walk_gait_turn_speed. A velocity with a NaN or an infinity is\n"
+           "walk_gait_turn_speed. Then all three are reduced to what can be combined, and\n"
+           "to what the power limit carries. A velocity with a NaN or an infinity is\n"
            "ignored. velocity_limit reports both. Real-time: yes.")
       .def_prop_ro("commanded_velocity", &WalkController::commanded_velocity,
                    "Velocity that is commanded, clamped; 0 after the timeout.")

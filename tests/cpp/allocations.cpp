@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "lambda_planner.hpp"
 #include "random_disturbances.hpp"
@@ -147,20 +148,34 @@ PlannedCounts run_planner(const Robot& robot) {
 }
 
 struct WalkCounts {
-  long standing = 0, walking = 0, stops = 0, swing_feet = 0, unusable = 0;
+  long standing = 0, walking = 0, stops = 0, swing_feet = 0, unusable = 0, pushed = 0;
   long allocations = 0, exceptions = 0;
 };
 
 // Let the robot stand, walk and stop in turn. Its samples are those of a robot that does not move;
-// the swing feet show no load.
-WalkCounts run_walk(const Robot& robot) {
+// the swing feet show no load. If `varied`, velocities and gaits change, and the accelerometer
+// shows pushes; such a robot seldom comes to rest.
+WalkCounts run_walk(const Robot& robot, bool varied) {
   WalkController controller(robot);
   LowState report = resting_sample(robot, 0);
+  const LowState rest = report;
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  WalkVelocity velocity{0.5, 0.1, 0.0};
   WalkCounts tick_counts;
   const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
   for (int tick = 0; tick < 25000; ++tick) {
     const bool was_walking = controller.walking();
-    if (tick % 2500 >= 500 && tick % 2500 < 1500) controller.set_velocity({0.5, 0.1, 0.0});
+    if (varied && tick % 250 == 0)
+      velocity = {uniform(generator), uniform(generator), uniform(generator)};
+    if (varied && tick % 2500 == 0)
+      controller.set_gait(tick % 5000 == 0 ? Gait::kTrot : Gait::kWalk);
+    if (tick % 2500 >= 500 && tick % 2500 < 1500) controller.set_velocity(velocity);
+    const bool pushed = varied && tick % 2500 >= 900 && tick % 2500 < 950;
+    report.imu.accelerometer[1] = rest.imu.accelerometer[1] + (!pushed          ? 0.0F
+                                                               : tick % 50 < 25 ? 4.0F
+                                                                                : -4.0F);
+    tick_counts.pushed += pushed;
     if (tick % 2500 == 1700) controller.set_velocity({std::nan(""), 0.0, 0.0});
     report.tick += 2;
     for (int leg = 0; leg < kLegs; ++leg) {
@@ -312,15 +327,17 @@ int main() {
       planned.damping);
   good = good && planned.solved > 1000 && planned.bad_references > 10 && planned.damping > 4 &&
          planned.allocations == 0 && planned.exceptions == 0;
-  const WalkCounts walk = run_walk(robot);
-  std::printf(
-      "walk, 25000 ticks: %ld allocations, %ld exceptions; standing %ld, walking %ld, stops %ld, "
-      "swing feet %ld, unusable ticks %ld\n",
-      walk.allocations, walk.exceptions, walk.standing, walk.walking, walk.stops, walk.swing_feet,
-      walk.unusable);
-  good = good && walk.standing > 5000 && walk.walking > 5000 && walk.stops >= 10 &&
-         walk.swing_feet > 5000 && walk.unusable == 0 && walk.allocations == 0 &&
-         walk.exceptions == 0;
+  for (const bool varied : {false, true}) {
+    const WalkCounts walk = run_walk(robot, varied);
+    std::printf(
+        "%s walk, 25000 ticks: %ld allocations, %ld exceptions; standing %ld, walking %ld, stops "
+        "%ld, swing feet %ld, unusable ticks %ld, pushed %ld\n",
+        varied ? "varied" : "plain", walk.allocations, walk.exceptions, walk.standing, walk.walking,
+        walk.stops, walk.swing_feet, walk.unusable, walk.pushed);
+    const bool as_planned = varied ? walk.pushed > 400 : walk.standing > 5000 && walk.stops >= 10;
+    good = good && as_planned && walk.walking > 5000 && walk.swing_feet > 5000 &&
+           walk.unusable == 0 && walk.allocations == 0 && walk.exceptions == 0;
+  }
   const SupervisedCounts s = run_supervisor(robot);
   std::printf(
       "supervised, 25000 ticks: %ld allocations, %ld exceptions; passive %ld, rise %ld, "

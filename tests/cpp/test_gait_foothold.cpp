@@ -36,6 +36,23 @@ BOOST_FIXTURE_TEST_CASE(foot_is_under_its_hip_at_mid_stance_of_a_steady_walk, Fo
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(left_and_right_feet_are_kept_apart, FootholdFixture) {
+  const double yaw = 0.5, gap = 0.2 * size.height;
+  const Eigen::Rotation2Dd R(yaw);
+  const Eigen::Vector2d across(1.0, 2.0);
+  for (const int leg : {FR_, FL_, RR_, RL_}) {
+    const double side = leg == FR_ || leg == RR_ ? -1.0 : 1.0;
+    const auto kept = [&](double to_its_side) {
+      const Eigen::Vector2d place = across + R * Eigen::Vector2d(0.1, side * to_its_side);
+      return Eigen::Vector2d(R.inverse() * (keep_apart(size, yaw, leg, place, across) - across));
+    };
+    for (const double crossed : {-0.1, 0.0, 0.5 * gap}) {
+      BOOST_TEST((kept(crossed) - Eigen::Vector2d(0.1, side * gap)).norm() < 1e-9);
+    }
+    BOOST_TEST((kept(1.5 * gap) - Eigen::Vector2d(0.1, side * 1.5 * gap)).norm() < 1e-9);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(feet_of_a_turning_body_are_placed_for_its_heading_at_mid_stance,
                         FootholdFixture) {
   walk({0.0, 0.0, 1.0}, 3.0);

@@ -64,6 +64,30 @@ BOOST_FIXTURE_TEST_CASE(walk_has_smaller_limits_with_the_same_names, CommandFixt
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(combined_velocity_keeps_its_path_and_the_sum_of_its_shares_is_limited,
+                        CommandFixture) {
+  const double vx = gains.walk_speed_forward * size.speed;
+  const double vy = gains.walk_speed_sideways * size.speed;
+  const double yaw_rate = gains.walk_turn_speed / size.time;
+  BOOST_TEST((set(0.5 * vx, -0.5 * vy, 0.1 * yaw_rate) == WalkLimit::kNone));
+  BOOST_TEST((set(vx, -vy, 0.0) == WalkLimit::kCombination));
+  BOOST_TEST(command.velocity().vx == 0.575 * vx, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(command.velocity().vy == -0.575 * vy, boost::test_tools::tolerance(1e-9));
+  gait = Gait::kWalk;
+  BOOST_TEST((set(9.0, 9.0, 0.0) == WalkLimit::kCombination));
+  BOOST_TEST(command.velocity().vx == std::sqrt(0.5) * gains.walk_gait_speed * size.speed,
+             boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_FIXTURE_TEST_CASE(acceleration_in_a_curve_is_limited, CommandFixture) {
+  gains.walk_acceleration = 0.05;  // [g]
+  BOOST_TEST((set(0.5 * size.speed, 0.0, 0.2 / size.time) == WalkLimit::kCombination));
+  const WalkVelocity& v = command.velocity();
+  BOOST_TEST(v.vx * v.yaw_rate == 0.05 * kGravity, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(v.vx * size.time == 2.5 * size.speed * v.yaw_rate * size.time * size.time,
+             boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_FIXTURE_TEST_CASE(velocity_that_is_not_finite_keeps_the_last_one, CommandFixture) {
   set(0.4, 0.0, 0.3);
   for (const double bad : {kNan, kInfinity, -kInfinity}) {

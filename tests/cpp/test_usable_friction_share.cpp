@@ -15,8 +15,8 @@ struct UsableFrictionFixture : CapturePointRobot {
   // Return the steady-state share of friction.
   Eigen::Vector4d share() {
     UsableFriction friction;
-    friction.update(dynamics, state, reference, robot.mass(), 1.0);
-    return friction.update(dynamics, state, reference, robot.mass(), 1.0);
+    friction.update(dynamics, state, reference, robot.mass(), 1.0, 1.0);
+    return friction.update(dynamics, state, reference, robot.mass(), 1.0, 1.0);
   }
   // Move the capture point to `margin` [m] inside the left edge.
   void lean_to(double margin) {
@@ -72,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(friction_share_rises_at_once_and_falls_within_100_ms,
                         UsableFrictionFixture) {
   UsableFriction friction;
   const auto tick = [&] {
-    return friction.update(dynamics, state, reference, robot.mass(), 0.002)[0];
+    return friction.update(dynamics, state, reference, robot.mass(), 1.0, 0.002)[0];
   };
   for (int k = 1; k <= 60; ++k)
     BOOST_TEST(std::abs(tick() - std::max(1.0 - 0.006 * k, kNominalShare)) < 1e-9);

@@ -29,7 +29,7 @@ class EstimateRecorder:
         self.verdicts = np.full((rows, len(SENSOR_NAMES)), _UNJUDGED, dtype=np.int64)
         shapes: dict[str, tuple[int, ...]] = {
             **{"q": (robot.nq,), "v": (robot.nv,), "contact": (4,), "covariance": (24,)},
-            **{"gyroscope_bias": (3,), "accelerometer_bias": (3,), "slip": (4,)},
+            **{"gyroscope_bias": (3,), "accelerometer_bias": (3,), "slip": (4,), "friction": ()},
             **{"contact_by_source": (4, 4), "foot_forces_from_torques": (4,), "refused": (4,)},
             **{"nis": (), "nis_dimension": (), "payload": (), "com_shift": (3,)},
         }
@@ -52,6 +52,7 @@ class EstimateRecorder:
         rows["accelerometer_bias"][k] = report.accelerometer_bias
         rows["nis"][k], rows["nis_dimension"][k] = report.nis, report.nis_dimension
         rows["slip"][k], rows["refused"][k] = report.slip, report.rejected_feet
+        rows["friction"][k] = report.friction
         rows["contact_by_source"][k] = report.contact_by_source
         rows["foot_forces_from_torques"][k] = report.foot_forces_from_torques[2]
         rows["payload"][k], rows["com_shift"][k] = report.payload, report.com_shift

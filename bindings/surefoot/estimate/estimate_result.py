@@ -50,6 +50,7 @@ class Estimate:
         nis: (m,) normalised innovation squared.
         nis_dimension: (m,) dimension of the innovation.
         slip: (m, 4) how sure the estimator is that a loaded foot slips, 0 .. 1.
+        friction: (m,) learnt friction coefficient of the ground.
         contact_by_source: (m, 4, 4) evidence of each ContactSource for each foot: 0 off the
             ground, 1 loaded, 0.5 none.
         foot_forces_from_torques: (m, 4) vertical ground force from joint torques [N].
@@ -83,6 +84,7 @@ class Estimate:
     nis: Array
     nis_dimension: Array
     slip: Array
+    friction: Array
     contact_by_source: Array
     foot_forces_from_torques: Array
     refused: Array

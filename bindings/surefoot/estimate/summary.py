@@ -91,6 +91,7 @@ def _end_state(estimate: Estimate) -> dict[str, Any]:
         "height_range": [height.min(), height.max()] if len(height) else None,
         "payload_kg": estimate.payload[-1],
         "com_shift": estimate.com_shift[-1],
+        "friction": estimate.friction[-1],
     }
 
 

@@ -46,6 +46,11 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("height_range", "m", "lowest and highest z of the base"),
         ("payload_kg", "kg", "mass beyond the model"),
         ("com_shift", "m", "centre of mass, loaded minus model, base axes"),
+        (
+            "friction",
+            "",
+            "friction coefficient of the ground, learnt from feet that slide and hold",
+        ),
     ),
     "Sensors": (
         ("gyroscope_bias", "rad/s", "at the end, base axes"),

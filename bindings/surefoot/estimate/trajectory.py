@@ -25,6 +25,7 @@ TRAJECTORY_COLUMNS = {
     "accelerometer_bias_std": "standard deviation of accelerometer_bias [m/s^2]",
     "contact": "contact confidence of each foot, FR FL RR RL",
     "slip": "confidence that each loaded foot slips, 0 .. 1",
+    "friction": "learnt friction coefficient of the ground",
 }
 """Columns of a trajectory in order; in a CSV, the components of a vector p are p_0, p_1 ..."""
 
@@ -48,6 +49,7 @@ def trajectory(estimate: Estimate) -> dict[str, np.ndarray]:
         "accelerometer_bias_std": std[:, 12:15],
         "contact": estimate.contact,
         "slip": estimate.slip,
+        "friction": estimate.friction,
     }
     return {name: columns[name] for name in TRAJECTORY_COLUMNS}
 

@@ -31,6 +31,7 @@ _ARRAYS: dict[str, tuple[tuple[int, ...], type]] = {
     "reference": ((3,), float),
     "limit": ((), int),
     "walking": ((), bool),
+    "friction": ((), float),
     "planned_loads": ((4,), float),
     "footholds": ((3, 4), float),
 }
@@ -117,6 +118,7 @@ def _walk_row(plant: Plant, truth: Truth, controller: WalkController) -> dict[st
         "reference": _as_array(controller.reference_velocity),
         "limit": controller.velocity_limit.value,
         "walking": controller.walking,
+        "friction": controller.estimator_report.friction,
         "planned_loads": controller.planned_loads,
         "footholds": controller.footholds,
     }

@@ -32,6 +32,7 @@ class WalkLog(SimulationLog):
         reference: (n, 3) velocity of the reference, which approaches `commanded`.
         limit: (n,) surefoot.WalkLimit to which the command was clamped.
         walking: (n,) True if the controller planned steps.
+        friction: (n,) friction coefficient of the ground that the estimator has learnt.
         planned_loads: (n, 4) planned load of each foot, 0 .. 1; 0: the foot swings.
         footholds: (n, 3, 4) planned footholds in the estimator's world frame [m].
     """
@@ -47,6 +48,7 @@ class WalkLog(SimulationLog):
     reference: Array
     limit: IntArray
     walking: npt.NDArray[np.bool_]
+    friction: Array
     planned_loads: Array
     footholds: Array
 

@@ -112,8 +112,8 @@ class Controller {
 
   /// Estimated state. After a tick that reached the QP, state().friction is the share that the QP
   /// could use: in general at most 0.7 while the capture point is more than 6 cm inside the support
-  /// edges, and less while a foot slips. After any other tick, state().friction contains only the
-  /// reduction for slipping feet.
+  /// edges, and less while a foot slips; all of them of the learnt friction. After any other tick,
+  /// state().friction contains only the learnt friction and the reduction for slipping feet.
   const RobotState& state() const noexcept;
   EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
   /// Reference that the last tick with a good estimate used: that of the planner, or the last valid

@@ -49,6 +49,9 @@ struct EstimatorReport {
   FeetMatrix foot_forces_from_torques = FeetMatrix::Zero();
   /// How sure the estimator is that a loaded foot slips, 0 .. 1.
   Eigen::Vector4d slip = Eigen::Vector4d::Zero();
+  /// Friction coefficient of the ground, learnt from feet that slide and hold: 0.1 ..
+  /// RobotConfig::friction. Initially RobotConfig::friction.
+  double friction = 0.0;
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes
   Vector3 accelerometer_bias = Vector3::Zero();  ///< [m/s^2] bias of the accelerometer, base axes

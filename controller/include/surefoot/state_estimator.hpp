@@ -53,6 +53,8 @@ class StateEstimator {
   /// Return whether footForceEst works on this robot: its sum has matched the load on the feet.
   /// Real-time: yes.
   bool has_foot_force_est() const noexcept;
+  /// Return EstimatorReport::friction without the cost of a report. Real-time: yes.
+  double ground_friction() const noexcept;
   /// Return the kinematics and dynamics at the present state, for use in the same tick. Real-time:
   /// yes.
   const Dynamics& dynamics() const noexcept;

@@ -73,8 +73,8 @@ struct RobotState {
   /// [N.m] External moment about the centre of mass, world axes. The estimator sets the sustained
   /// part only.
   Vector3 moment_external = Vector3::Zero();
-  /// Share of RobotConfig::friction that each foot may use, 0 .. 1, FR FL RR RL. The share of a
-  /// foot that slips is below 1.
+  /// Share of RobotConfig::friction that each foot may use, 0 .. 1, FR FL RR RL. It is below 1 on
+  /// ground with less friction (EstimatorReport::friction), and smaller for a foot that slips.
   Eigen::Vector4d friction = Eigen::Vector4d::Ones();
 };
 

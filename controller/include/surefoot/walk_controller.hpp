@@ -38,9 +38,9 @@ class WalkController : public StandController {
 
   /// Command a velocity; call it more often than WalkOptions::velocity_timeout. The velocity is
   /// clamped to the gains walk_speed_forward, walk_speed_backward, walk_speed_sideways and
-  /// walk_turn_speed, in the gait kWalk to walk_gait_speed and walk_gait_turn_speed, and to what
-  /// ControllerOptions::power_limit carries. A velocity with a NaN or an infinity is ignored.
-  /// velocity_limit() reports both. Real-time: yes.
+  /// walk_turn_speed, in the gait kWalk to walk_gait_speed and walk_gait_turn_speed. Then all three
+  /// are reduced to what can be combined, and to what ControllerOptions::power_limit carries. A
+  /// velocity with a NaN or an infinity is ignored. velocity_limit() reports both. Real-time: yes.
   void set_velocity(const WalkVelocity& velocity) noexcept;
   /// Return the commanded velocity: clamped, and 0 after the timeout. Real-time: yes.
   WalkVelocity commanded_velocity() const noexcept;

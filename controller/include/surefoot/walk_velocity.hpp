@@ -12,12 +12,13 @@ struct WalkVelocity {
 
 /// Limit to which a commanded velocity was clamped.
 enum class WalkLimit {
-  kNone,      ///< no limit: the command is within reach
-  kForward,   ///< vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed
-  kSideways,  ///< vy: gain walk_speed_sideways; walk: walk_gait_speed
-  kTurn,      ///< yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed
-  kPower,     ///< all: the power that ControllerOptions::power_limit allows
-  kNotFinite  ///< the command has a NaN or an infinity; the previous one stays in force
+  kNone,         ///< no limit: the command is within reach
+  kForward,      ///< vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed
+  kSideways,     ///< vy: gain walk_speed_sideways; walk: walk_gait_speed
+  kTurn,         ///< yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed
+  kCombination,  ///< all: the velocities together, or the acceleration of the body in a curve
+  kPower,        ///< all: the power that ControllerOptions::power_limit allows
+  kNotFinite     ///< the command has a NaN or an infinity; the previous one stays in force
 };
 /// Return the name of a limit, such as "forward". Real-time: yes.
 const char* to_string(WalkLimit limit) noexcept;

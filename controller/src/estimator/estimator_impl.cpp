@@ -2,6 +2,7 @@
 #include "estimator/estimator_impl.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 
@@ -33,6 +34,10 @@ constexpr double kRestRate = 0.2;
 constexpr double kSupportedShare = 0.4;
 // Limit of the sum of the contact confidences. Derived: half-way between two and three feet.
 constexpr double kMinContactSum = 2.5;
+// Standard deviations of the base velocity by which a contact point must move before its motion
+// counts. Chosen: three exclude nearly all errors. With none, a velocity that vibration has made
+// wrong would make the filter ignore the feet that contradict it.
+constexpr double kSpeedSigmas = 3.0;
 // Share of the sink of a sole by which the lever of its rolling is shorter than the radius of the
 // foot. Chosen: half-way between a rigid sole, which rolls about its lowest point, and the plane of
 // the ground. The effective radius of tyres is shorter by a third of the sink.
@@ -66,6 +71,10 @@ FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
   FootContactState out{state.contact, loads, slip.speed(), feet_step(), filter.rejected_feet()};
   // Without new values of the IMU, the body moves and not the feet.
   if (!imu_is_fresh()) out.speed.setZero();
+  // A wrong velocity of the base makes all contact points seem to move.
+  const auto& P = filter.covariance();
+  const double v_variance = P(3, 3) + P(4, 4) + P(5, 5);
+  out.speed = (out.speed.array() - kSpeedSigmas * std::sqrt(v_variance)).max(0.0);
   if (!torques_valid()) out.load.setOnes();
   return out;
 }
@@ -116,7 +125,10 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);
-  state.friction = slip.friction(gains);
+  const double travelled = v_base.norm() > kMinTravelSpeed ? dt * v_base.norm() : 0.0;
+  friction.update(
+      {v_contact, leg_forces.forces(), state.contact, normal, travelled, feet_step()}, dt);
+  state.friction = friction.share() * slip.friction(gains);
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),

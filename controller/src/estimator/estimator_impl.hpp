@@ -3,6 +3,7 @@
 
 #include "estimator/contact/contact_confidence.hpp"
 #include "estimator/contact/foot_clearance.hpp"
+#include "estimator/contact/friction_estimate.hpp"
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
 #include "estimator/contact/sole_load.hpp"
@@ -69,6 +70,7 @@ struct StateEstimator::Impl {
   SoleLoad sole_load;
   StepDetector step_detector;
   SlipDetector slip;
+  FrictionEstimate friction;
   FootClearance clearance;
   PayloadObserver payload;
   PushObserver push;

@@ -69,6 +69,7 @@ StateEstimator::Impl::Impl(const Robot& r)
       gains(r.config().gains),
       dynamics(r),
       contact(r.mass() * kGravity),
+      friction(r),
       payload(r.mass()),
       state(r.nq(), r.nv()) {}
 
@@ -87,6 +88,7 @@ void StateEstimator::Impl::reset() noexcept {
   sole_load.reset();
   step_detector.reset();
   slip.reset();
+  friction.reset();
   clearance.reset();
   payload.reset();
   push.reset();

@@ -22,6 +22,7 @@ const Dynamics& StateEstimator::dynamics() const noexcept { return impl_->dynami
 bool StateEstimator::has_foot_force_est() const noexcept {
   return impl_->contact.foot_force_est_works();
 }
+double StateEstimator::ground_friction() const noexcept { return impl_->friction.coefficient(); }
 Eigen::Vector4d StateEstimator::normal_forces_from_torques() const noexcept {
   return impl_->leg_forces.forces().transpose() * impl_->normal;
 }

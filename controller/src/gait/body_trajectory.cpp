@@ -48,10 +48,17 @@ void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& com
                                      double acceleration_share, double dt) noexcept {
   const Eigen::Vector2d last(velocity_.vx, velocity_.vy);
   const Eigen::Vector2d change = Eigen::Vector2d(command.vx, command.vy) - last;
-  const double step = acceleration_share * gains.walk_acceleration * kGravity * dt;
-  const Eigen::Vector2d next = last + std::min(1.0, step / std::max(change.norm(), 1e-9)) * change;
-  const double turn_step =
+  double step = acceleration_share * gains.walk_acceleration * kGravity * dt;
+  double turn_step =
       acceleration_share * gains.walk_turn_acceleration * kGravity / size_.height * dt;
+  // Both accelerations move the hips away from the stance feet, so the shares of the limits add.
+  const double turn_change = std::abs(command.yaw_rate - velocity_.yaw_rate);
+  const double shares =
+      std::min(1.0, change.norm() / std::max(step, 1e-12)) +
+      std::min(1.0, turn_change / std::max(turn_step, 1e-12));  // no division by zero
+  step /= std::max(1.0, shares);
+  turn_step /= std::max(1.0, shares);
+  const Eigen::Vector2d next = last + std::min(1.0, step / std::max(change.norm(), 1e-9)) * change;
   velocity_ = {next.x(), next.y(), approached(velocity_.yaw_rate, command.yaw_rate, turn_step)};
   const Eigen::Rotation2Dd R(yaw_);
   v_ = R * next;

@@ -15,6 +15,9 @@ constexpr double kMaxOffset = 0.83;
 // h = 0.3 m. Chosen: with less, the left and the right leg touch in a walk to the side. What brakes
 // a push may be nearer.
 constexpr double kMinSide = 0.27;
+// [h] Smallest distance of a foothold from the foot across, to its own side: 6 cm at h = 0.3 m.
+// Chosen: with less, the calves of the left and the right leg touch.
+constexpr double kMinGap = 0.2;
 
 // Return the planned place of a foot at touchdown in a steady walk, from the centre of mass, in
 // axes of the heading at mid-stance.
@@ -44,6 +47,16 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
                            size.time * size.time * body.a_world();
   offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));
   return hip + offset;
+}
+
+Eigen::Vector2d keep_apart(const GaitSize& size, double yaw, int leg,
+                           const Eigen::Vector2d& foothold,
+                           const Eigen::Vector2d& across) noexcept {
+  const Eigen::Rotation2Dd R(yaw);
+  const double side = size.nominal_feet(1, leg) < 0.0 ? -1.0 : 1.0;
+  const double gap = side * (R.inverse() * (foothold - across)).y();
+  const double lack = std::max(kMinGap * size.height - gap, 0.0);
+  return foothold + R * Eigen::Vector2d(0.0, side * lack);
 }
 
 }  // namespace surefoot

@@ -16,4 +16,11 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
                          const BodyTrajectory& body, int leg, double time_left,
                          double stance_time) noexcept;
 
+/// Move a foothold to the side of its leg if the left and the right leg would touch. Real-time:
+/// yes.
+/// @param yaw heading of the body [rad]
+/// @param across place of the other front foot, or of the other rear foot, world x and y [m]
+Eigen::Vector2d keep_apart(const GaitSize& size, double yaw, int leg,
+                           const Eigen::Vector2d& foothold, const Eigen::Vector2d& across) noexcept;
+
 }  // namespace surefoot

@@ -7,6 +7,24 @@
 
 namespace surefoot {
 
+namespace {
+
+// Share of the acceleration gains that a trot uses, except to brake. In six walks of a go1 of 40 s
+// with random velocities, it fell five times with the whole, and never with this share. It reaches
+// 1 m/s in 0.85 s.
+constexpr double kTrotShare = 0.6;
+
+// Return whether a command only reduces the components of a velocity.
+bool only_brakes(const WalkVelocity& command, const WalkVelocity& velocity) noexcept {
+  const auto reduces = [](double to, double from) {
+    return from < 0.0 ? to >= from && to <= 0.0 : to <= from && to >= 0.0;
+  };
+  return reduces(command.vx, velocity.vx) && reduces(command.vy, velocity.vy) &&
+         reduces(command.yaw_rate, velocity.yaw_rate);
+}
+
+}  // namespace
+
 StepPattern suitable_pattern(const StepPattern& present, const Gains& gains, const GaitSize& size,
                              bool walk, const WalkVelocity& command) noexcept {
   StepPattern pattern = present;
@@ -21,8 +39,8 @@ StepPattern suitable_pattern(const StepPattern& present, const Gains& gains, con
 
 double acceleration_share(const StepPattern& pattern, const Gains& gains, const GaitSize& size,
                           const WalkVelocity& command, const WalkVelocity& velocity) noexcept {
-  const bool brakes = size.fastest_hip(command) < size.fastest_hip(velocity);
-  if (!pattern.walk || brakes) return 1.0;
+  if (only_brakes(command, velocity)) return 1.0;
+  if (!pattern.walk) return kTrotShare;
   const double period = gait_timing(pattern, gains, size, command).period;
   const double acceleration = gains.walk_gait_speed * size.speed / period;
   return std::min(1.0, acceleration / (gains.walk_acceleration * kGravity));

@@ -20,7 +20,8 @@ struct StepPattern {
 StepPattern suitable_pattern(const StepPattern& present, const Gains& gains, const GaitSize& size,
                              bool walk, const WalkVelocity& command) noexcept;
 
-/// Return the share, 0 .. 1, of the acceleration gains that the body may use. A walk reaches its
+/// Return the share, 0 .. 1, of the acceleration gains that the body may use: all of them to brake.
+/// In a trot each pair of feet stands where it was planned for less speed. A walk reaches its
 /// greatest speed in a period: until then, the foot that lifts off last stands where it stood at
 /// the beginning. Real-time: yes.
 /// @param velocity present velocity of the body trajectory

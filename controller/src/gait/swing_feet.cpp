@@ -58,6 +58,13 @@ void SwingFeet::update_clearance(const PlannerInput& input, const FootContacts& 
   clearance_.advance(speed, input.dt);
 }
 
+Eigen::Vector2d SwingFeet::foot_across(int leg, const PlannerInput& input,
+                                       const FootContacts& contacts) const noexcept {
+  const int across = leg ^ 1;  // FR FL RR RL
+  const bool stands = contacts.phase(across) == FootPhase::kStance;
+  return (stands ? input.p_feet : footholds_).col(across).head<2>();
+}
+
 void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& schedule,
                      const HorizontalMotion& measured, const BodyTrajectory& body,
                      const GroundPlane& ground) noexcept {
@@ -72,8 +79,10 @@ void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& sch
   if (contacts.phase(leg) != FootPhase::kSwing) return;
   const double time_left =
       stumble_.lifting(leg) ? stumble_.time_left(leg) : clock.time_to_touchdown(leg);
-  const Eigen::Vector2d xy =
-      foothold(input.gains, size_, measured, body, leg, time_left, clock.timing().stance_time());
+  const Eigen::Vector2d xy = keep_apart(
+      size_, body.yaw(), leg,
+      foothold(input.gains, size_, measured, body, leg, time_left, clock.timing().stance_time()),
+      foot_across(leg, input, contacts));
   footholds_.col(leg) << xy, ground.height_at(xy);
   swing(leg, input, schedule, time_left);
 }

@@ -43,6 +43,9 @@ class SwingFeet {
  private:
   void swing(int leg, const PlannerInput& input, const StepSchedule& schedule,
              double time_left) noexcept;
+  /// Return where the foot on the other side stands or will land, world x and y [m].
+  Eigen::Vector2d foot_across(int leg, const PlannerInput& input,
+                              const FootContacts& contacts) const noexcept;
 
   GaitSize size_;
   Stumble stumble_;

@@ -8,6 +8,31 @@
 
 namespace surefoot {
 
+namespace {
+
+// Largest sum of the shares of the three limits in a trot. Measured: a go1 with random commands
+// falls five times as seldom as without this limit. The combinations of walk_table.py are within
+// it.
+constexpr double kMaxTrotShares = 1.15;
+
+// Return the factor, 0 .. 1, that brings a combined velocity within reach. A leg that moves
+// sideways or turns has less travel left for the forward motion. In a curve the body accelerates by
+// |v| |yaw rate|: at most by walk_acceleration, as along the path.
+double combination_factor(const Gains& gains, bool walk, const WalkVelocity& velocity,
+                          const WalkVelocity& limits) noexcept {
+  const auto share = [](double value, double limit) {
+    return value == 0.0 ? 0.0 : std::abs(value) / limit;
+  };
+  const Vector3 shares(share(velocity.vx, limits.vx), share(velocity.vy, limits.vy),
+                       share(velocity.yaw_rate, limits.yaw_rate));
+  const double together = walk ? shares.norm() : shares.sum() / kMaxTrotShares;
+  const double curve = std::hypot(velocity.vx, velocity.vy) * std::abs(velocity.yaw_rate) /
+                       (gains.walk_acceleration * kGravity);
+  return 1.0 / std::max({1.0, together, std::sqrt(curve)});
+}
+
+}  // namespace
+
 void VelocityCommand::set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept {
   if (!std::isfinite(velocity.vx) || !std::isfinite(velocity.vy) ||
       !std::isfinite(velocity.yaw_rate)) {
@@ -34,9 +59,14 @@ void VelocityCommand::clamp(const Gains& gains, Gait gait) noexcept {
   const double forward = (walk ? gains.walk_gait_speed : gains.walk_speed_forward) * size_.speed;
   const double backward = (walk ? gains.walk_gait_speed : gains.walk_speed_backward) * size_.speed;
   velocity_.vx = clamped(velocity.vx, -backward, forward, WalkLimit::kForward);
-  const double factor = power_factor(gains, size_, power_limit_, velocity_);
+  const WalkVelocity limits{velocity_.vx < 0.0 ? backward : forward, sideways, turn};
+  scale(combination_factor(gains, walk, velocity_, limits), WalkLimit::kCombination);
+  scale(power_factor(gains, size_, power_limit_, velocity_), WalkLimit::kPower);
+}
+
+void VelocityCommand::scale(double factor, WalkLimit limit) noexcept {
   if (factor == 1.0) return;
-  limit_ = WalkLimit::kPower;
+  limit_ = limit;
   velocity_ = {factor * velocity_.vx, factor * velocity_.vy, factor * velocity_.yaw_rate};
 }
 

@@ -17,7 +17,8 @@ class VelocityCommand {
   VelocityCommand(const GaitSize& size, double timeout, double power_limit)
       : size_(size), timeout_(timeout), power_limit_(power_limit) {}
 
-  /// Set the velocity, clamped to the limits of the gait. A velocity with a NaN or an infinity
+  /// Set the velocity, clamped to the limits of the gait: first each component, then all together,
+  /// along the same path. A velocity with a NaN or an infinity
   /// changes nothing.
   void set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept;
   /// Clamp the velocity of the last set() again, for another gait.
@@ -32,6 +33,8 @@ class VelocityCommand {
   WalkLimit limit() const noexcept { return limit_; }  ///< of the last set()
 
  private:
+  void scale(double factor, WalkLimit limit) noexcept;
+
   GaitSize size_;
   double timeout_;
   double power_limit_;

@@ -13,6 +13,8 @@ const char* to_string(WalkLimit limit) noexcept {
       return "sideways";
     case WalkLimit::kTurn:
       return "turn";
+    case WalkLimit::kCombination:
+      return "combination";
     case WalkLimit::kPower:
       return "power";
     case WalkLimit::kNotFinite:

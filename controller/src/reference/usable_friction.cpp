@@ -41,10 +41,10 @@ double required_share(const Dynamics& dynamics, const RobotState& state, const R
 }  // namespace
 
 Eigen::Vector4d UsableFriction::update(const Dynamics& dynamics, const RobotState& state,
-                                       const Reference& reference, double mass,
+                                       const Reference& reference, double mass, double learnt_share,
                                        double dt) noexcept {
   share_ = std::max(required_share(dynamics, state, reference, mass), share_ - kDecayRate * dt);
-  return state.friction.cwiseMin(share_);
+  return state.friction.cwiseMin(share_ * learnt_share);
 }
 
 }  // namespace surefoot

@@ -135,7 +135,7 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
   if (options.delay > 0.0 || planned.reference().stepping) {
     return predict_and_solve(plan_status, dt);
   }
-  state.friction = friction.update(dynamics, state, planned.reference(), robot.mass(), dt);
+  state.friction = usable_friction(dynamics, state, dt);
   return solve(dynamics, state, plan_status);
 }
 
@@ -144,8 +144,15 @@ Status Controller::Impl::predict_and_solve(Status plan_status, double dt) noexce
   predicted_dynamics.update(predicted_state.q, predicted_state.v,
                             planned.reference().ground_normal);
   predicted_state.friction = state.friction =
-      friction.update(predicted_dynamics, predicted_state, planned.reference(), robot.mass(), dt);
+      usable_friction(predicted_dynamics, predicted_state, dt);
   return solve(predicted_dynamics, predicted_state, plan_status);
+}
+
+Eigen::Vector4d Controller::Impl::usable_friction(const Dynamics& dynamics,
+                                                  const RobotState& used_state,
+                                                  double dt) noexcept {
+  const double learnt_share = estimator.ground_friction() / robot.config().friction;
+  return friction.update(dynamics, used_state, planned.reference(), robot.mass(), learnt_share, dt);
 }
 
 // Solve the QP, and again from a cold start if the first solve fails. Limit the power of the

@@ -50,6 +50,8 @@ struct Controller::Impl {
 
  private:
   Status estimate_and_solve(const LowState& low_state, double dt) noexcept;
+  Eigen::Vector4d usable_friction(const Dynamics& dynamics, const RobotState& used_state,
+                                  double dt) noexcept;
   Status predict_and_solve(Status plan_status, double dt) noexcept;
   Status solve(const Dynamics& dynamics, const RobotState& used_state, Status plan_status) noexcept;
   void compute_fallback(const Dynamics& dynamics, const RobotState& used_state) noexcept;

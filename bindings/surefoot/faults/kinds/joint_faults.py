@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-from surefoot._core import LowState, Robot
+from surefoot._core import LowState, Robot, SupervisorOptions
 from surefoot.faults.kinds.fault import Fault
-from surefoot.robot.power_level import power_level
 
 WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's PowerProtect; Safety::kWattsPerLevel
 # [rad/s] Reported speed of the calf motors. Chosen: below the speed limits of the motors (15 rad/s
@@ -55,11 +54,10 @@ class PowerOverload(Fault):
         self._power_ratio, self._every, self._length = power_ratio, every, length
         self._torque = 0.0
 
-    def assumed_robot(self, robot: Robot) -> Robot:
-        """Compute the reported torque from the robot's power level; return the model unchanged."""
-        watts = self._power_ratio * WATTS_PER_LEVEL * power_level(robot.name)
+    def set_options(self, options: SupervisorOptions) -> None:
+        """Compute the reported torque from the power level; leave the options unchanged."""
+        watts = self._power_ratio * WATTS_PER_LEVEL * options.power_level
         self._torque = watts / 4 / CALF_SPEED
-        return robot
 
     def change_state(self, state: LowState, k: int) -> None:
         """Replace speed and torque of the four calf motors in a sample."""

@@ -46,12 +46,6 @@ constexpr double kAgreementRatio = 0.5;
 constexpr double kUnmeasuredRateNoise = 1.0;
 constexpr double kUnmeasuredForceNoise = 3.0;
 
-// [m/s^2] Standard deviation of the mean specific force over a tick while impacts of feet vibrate
-// in the accelerometer. Chosen: public logs of a trotting Go1 have peaks of 10 to 20 m/s^2, which
-// swing about zero. The gyroscope has no such term: its vibration swings about zero too, and with
-// it the feet, which slip and roll, would outweigh it in yaw.
-constexpr double kForceVibration = 1.5;
-
 double square(double x) noexcept { return x * x; }
 
 // Compute the variance of a value that is used for the `age`-th time. All uses contain the same
@@ -92,13 +86,16 @@ ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
       contradicts_gyroscope(imu, filter, dynamics, feet.contact, quaternion_changed);
   if (imu.w_age == 1 && !gyroscope_rejected_ && feet.rest) w_noise_.update(imu.w_base, dt);
   if (imu.f_age == 1 && feet.rest) f_noise_.update(imu.f_base, dt);
+  // A repeated value of the accelerometer has the same uncertainty as its first use.
+  if (imu.f_age == 1) f_change_ = imu.f_base - last_f_;
   out.w_base = 0.5 * (imu.w_base + last_w_);
   out.f_base = 0.5 * (imu.f_base + last_f_);
   out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kHeldRateDrift, dt) +
+                   // Steps vibrate in the gyroscope, and swing about zero. With this term, the
+                   // feet, which slip and roll, would outweigh the gyroscope in yaw.
                    (feet.step ? 0.0 : mean_variance(imu.w_base - last_w_, w_noise_.sigma()));
-  out.f_variance =
-      held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
-      (feet.step ? square(kForceVibration) : mean_variance(imu.f_base - last_f_, f_noise_.sigma()));
+  out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
+                   mean_variance(f_change_, f_noise_.sigma());
   if (imu.gyroscope != SensorVerdict::kGood || gyroscope_rejected_) {
     replace_rate(imu, filter, dynamics, feet.contact, quaternion_changed, out);
   }

@@ -51,6 +51,7 @@ class ImuFilterInput {
 
   NoiseEstimator w_noise_, f_noise_;
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
+  Vector3 f_change_ = Vector3::Zero();                   // [m/s^2] last change of the accelerometer
   Quaternion last_quaternion_ = Quaternion::Identity();  // last quaternion of the IMU
   // Rotation that the filter has applied since the quaternion last changed.
   Quaternion rotation_since_last_ = Quaternion::Identity();

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/friction_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// All values are chosen. Test: test_friction_estimate.cpp, test_learnt_friction.py.
+// [h] Sliding distance under the weight of the robot that counts as much as RobotConfig::friction:
+// 0.5 mm at h = 0.3 m. If smaller: a single wrong velocity sets the estimate. If larger: a foot
+// slides further before the controller knows the ground.
+constexpr double kPriorDistance = 0.0017;
+// [h] The same distance for sliding that contradicts the ratio that held.
+constexpr double kContradictionDistance = 0.0033;
+// [h] Distance travelled over which all memory fades to 1/e: 3 m at h = 0.3 m. If smaller: the
+// robot slips again every few steps. If larger: it stays careful for long after it has left the
+// ice.
+constexpr double kMemoryDistance = 10.0;
+// [sqrt(g h)] Speed above which a loaded foot slides: 5 cm/s at h = 0.3 m, larger than the noise of
+// the velocity at rest. While feet step, 12 cm/s, because soft soles move after touchdown.
+constexpr double kSlidingSpeed = 0.03;
+constexpr double kSteppingSlidingSpeed = 0.07;
+// [sqrt(g h)] Speed below which a foot holds.
+constexpr double kHoldingSpeed = 0.012;
+// [m g] Load above which a foot counts, larger than the force error of joint friction; a foot that
+// steps lands with more than that.
+constexpr double kMinLoad = 0.1;
+constexpr double kSteppingMinLoad = 0.2;
+// Cosine of the angle between the friction force and the direction against the sliding, above which
+// the force is a friction force. Coulomb's law has 1; noise and changes of the direction lower it.
+constexpr double kMinAlignment = 0.8;
+// Share of the ratio that held, below which sliding contradicts it. Larger than the error of the
+// ratios.
+constexpr double kContradiction = 0.8;
+// [sqrt(h/g)] Time after touchdown from which a foot counts: 40 ms at h = 0.3 m. Before, it
+// bounces, and the direction of its force changes faster than LegForces can follow.
+constexpr double kSettlingTime = 0.23;
+// [s] Time after the last step for which the rules of stepping hold. Equal to that of SlipDetector.
+constexpr double kAfterSteps = 0.3;
+// [s] Time constants of the low-passes: of the velocities, equal to LegForces::kFilterTime, so that
+// velocity and force belong together; and of the ratio that holds, longer than an impact.
+constexpr double kVelocityFilterTime = LegForces::kFilterTime;
+constexpr double kRatioFilterTime = 0.02;
+// Contact confidence above which a foot is on the ground.
+constexpr double kContact = 0.5;
+// Smallest coefficient. With less, the QP could not balance the robot at all.
+constexpr double kMinCoefficient = 0.1;
+
+double standing_height(const Robot& robot) {
+  Dynamics standing(robot);
+  standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  return standing.p_world_com().z() - contact_points(standing).row(2).mean();
+}
+
+}  // namespace
+
+FrictionEstimate::FrictionEstimate(const Robot& robot)
+    : assumed_(robot.config().friction),
+      weight_(robot.mass() * kGravity),
+      height_(standing_height(robot)),
+      coefficient_(assumed_) {}
+
+void FrictionEstimate::update(const FrictionInput& input, double dt) noexcept {
+  time_since_steps_ = input.stepping ? 0.0 : time_since_steps_ + dt;
+  const double fading = std::exp(-input.travelled / (kMemoryDistance * height_));
+  friction_work_ *= fading;
+  sliding_ *= fading;
+  held_ *= fading;
+  filter_velocities(input, dt);
+  const double common_speed = slowest_loaded_foot(input);
+  for (int leg = 0; leg < kLegs; ++leg) learn_from_foot(leg, input, common_speed, dt);
+  const double estimate =
+      assumed_ + (friction_work_ - assumed_ * sliding_) / (sliding_ + kPriorDistance);
+  coefficient_ =
+      std::clamp(std::max(estimate, held_), std::min(kMinCoefficient, assumed_), assumed_);
+}
+
+void FrictionEstimate::filter_velocities(const FrictionInput& input, double dt) noexcept {
+  const FeetMatrix v =
+      input.v_contact - input.normal * (input.normal.transpose() * input.v_contact);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const bool in_contact = input.contact[leg] > kContact;
+    // The low-pass restarts at touchdown, because the velocity of the swing is no sliding.
+    if (in_contact && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v.col(leg);
+    stance_time_[leg] = in_contact ? stance_time_[leg] + dt : 0.0;
+    v_filtered_.col(leg) += dt / (dt + kVelocityFilterTime) * (v.col(leg) - v_filtered_.col(leg));
+  }
+}
+
+// Return the speed of the slowest loaded foot [m/s], or 0 with fewer than two loaded feet. A speed
+// that all feet have in common may be an error of the base velocity.
+double FrictionEstimate::slowest_loaded_foot(const FrictionInput& input) const noexcept {
+  double slowest = std::numeric_limits<double>::infinity();
+  int count = 0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double load = input.normal.dot(input.forces.col(leg)) / weight_;
+    if (stance_time_[leg] == 0.0 || load <= kMinLoad) continue;
+    slowest = std::min(slowest, v_filtered_.col(leg).norm());
+    ++count;
+  }
+  return count >= 2 ? slowest : 0.0;
+}
+
+void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, double common_speed,
+                                       double dt) noexcept {
+  const bool stepping = time_since_steps_ < kAfterSteps;
+  const Vector3 force = input.forces.col(leg), v = v_filtered_.col(leg);
+  const double f_n = force.dot(input.normal);
+  if (stance_time_[leg] <= kSettlingTime * std::sqrt(height_ / kGravity) ||
+      f_n <= (stepping ? kSteppingMinLoad : kMinLoad) * weight_) {
+    holding_ratio_[leg] = 0.0;
+    return;
+  }
+  const Vector3 f_t = force - f_n * input.normal;
+  const double ratio = f_t.norm() / f_n, speed = v.norm(), unit = std::sqrt(kGravity * height_);
+  holding_ratio_[leg] += dt / (dt + kRatioFilterTime) * (ratio - holding_ratio_[leg]);
+  if (speed < kHoldingSpeed * unit) held_ = std::max(held_, holding_ratio_[leg]);
+  const double opposed_speed = -v.dot(f_t) / std::max(f_t.norm(), 1e-9);
+  const double sliding_speed = opposed_speed - common_speed;
+  const double least_speed = (stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
+  if (sliding_speed > least_speed && opposed_speed > kMinAlignment * speed)
+    slide(ratio, f_n / weight_ * sliding_speed * dt / height_);
+}
+
+void FrictionEstimate::slide(double ratio, double weighted_distance) noexcept {
+  if (ratio < held_) {
+    held_ += weighted_distance / (weighted_distance + kContradictionDistance) * (ratio - held_);
+  }
+  if (ratio < kContradiction * held_) return;
+  friction_work_ += ratio * weighted_distance;
+  sliding_ += weighted_distance;
+}
+
+void FrictionEstimate::reset() noexcept {
+  friction_work_ = sliding_ = held_ = 0.0;
+  coefficient_ = assumed_;
+  time_since_steps_ = std::numeric_limits<double>::infinity();
+  v_filtered_.setZero();
+  stance_time_.setZero();
+  holding_ratio_.setZero();
+}
+
+}  // namespace surefoot
