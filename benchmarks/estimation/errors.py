@@ -10,7 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from surefoot.geometry.batch_rotations import matrices_from_xyzw, rotation_vectors
+from surefoot.geometry.batch_rotations import (
+    matrices_from_xyzw,
+    rotation_vectors,
+    rotations_about_z,
+)
 
 from estimation.log_rows import Array, Log
 from estimation.replay import Estimates
@@ -83,15 +87,6 @@ def matrices(quaternions: Array) -> Array:
     """Return the rotation matrices (n, 3, 3) of quaternions (n, 4) w x y z of any length."""
     q = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
     return matrices_from_xyzw(q[:, [1, 2, 3, 0]])
-
-
-def rotations_about_z(angle: Array) -> Array:
-    """Return the rotation matrices (n, 3, 3) by angles (n,) [rad] about z."""
-    R = np.zeros((len(angle), 3, 3))
-    R[:, 0, 0] = R[:, 1, 1] = np.cos(angle)
-    R[:, 1, 0], R[:, 0, 1] = np.sin(angle), -np.sin(angle)
-    R[:, 2, 2] = 1.0
-    return R
 
 
 def rms(values: Array) -> float:

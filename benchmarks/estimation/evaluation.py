@@ -18,7 +18,10 @@ from estimation.metrics import Result
 from estimation.payload_case import payload
 from estimation.scenarios import SCENARIOS
 from estimation.standing_case import push60, quiet, quiet_long
+from estimation.walking_case import walking
+from estimation.walking_scenarios import WALKING_SCENARIOS
 
+RECORDINGS = {**SCENARIOS, **WALKING_SCENARIOS}
 CaseFunction = Callable[[Robot, dict[str, Log], int], Result]
 
 
@@ -46,6 +49,7 @@ CASES: dict[str, Case] = {
     "dropout": Case(("push60",), dropout),
     "bias": Case(("bias",), bias),
     "payload": Case((), None),
+    "walking": Case(tuple(WALKING_SCENARIOS), walking),
 }
 
 
@@ -66,7 +70,7 @@ def run_task(task: Task) -> tuple[Task, Result]:
     if case.evaluate is None:
         return task, Result({}) if task.record_only else payload(task.robot, task.seed)
     logs = {
-        name: load_or_record(task.folder, name, task.seed, SCENARIOS[name](task.robot, task.seed))
+        name: load_or_record(task.folder, name, task.seed, RECORDINGS[name](task.robot, task.seed))
         for name in case.scenarios
     }
     if task.record_only:

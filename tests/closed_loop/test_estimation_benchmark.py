@@ -9,21 +9,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 from surefoot import Robot, load_robot
+from surefoot.estimate.baselines import BaseMotion
+from surefoot.geometry.batch_rotations import rotations_about_z
 from surefoot.sim.hardware.encoders import POSITION_QUANTUM
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from estimation import evaluation
+from estimation.contact_edges import score_edges
 from estimation.contact_transitions import score_transitions, true_transitions
 from estimation.degraded_foot_sensors import CONDITIONS, apply_condition, normal_forces
 from estimation.errors import compute_errors
 from estimation.evaluation import CASES, Task
 from estimation.log_rows import Log
 from estimation.metrics import Result
+from estimation.motion_errors import motion_values, true_motion
 from estimation.recording import Scenario, record
 from estimation.replay import replay
 from estimation.report import Row, summarise
-from estimation.scenarios import SCENARIOS, push60
+from estimation.scenarios import push60
 
 pytestmark = pytest.mark.slow
 
@@ -137,8 +141,55 @@ def test_delays_missed_and_false_transitions_are_counted() -> None:
     assert score_transitions(share, late.astype(float), rate).false == 1
 
 
+def walking_log() -> Log:
+    """Return the truth of a robot that circles once in 10 s and lifts its feet every 0.4 s."""
+    n = 5000
+    tick = 2 * np.arange(n, dtype=np.uint32)
+    angle = 2.0 * np.pi * np.arange(n) / n
+    o, forces = np.zeros(n), np.zeros((n, 12))
+    forces[:, 2::3] = np.where((np.arange(n) // 100 % 2 == 0)[:, None], 40.0, 0.0)
+    circle = np.stack([np.cos(angle), np.sin(angle), o], axis=1)
+    tangent = np.stack([-np.sin(angle), np.cos(angle), o], axis=1)
+    return {
+        "tick": tick,
+        "weight": np.array(100.0),
+        "truth_foot_forces": forces,
+        "truth_p": circle,
+        "truth_v": 0.2 * np.pi * tangent,
+        "truth_quaternion": np.stack([np.cos(angle / 2), o, o, np.sin(angle / 2)], axis=1),
+    }
+
+
+def test_edges_of_walking_feet_are_missed_extra_or_late() -> None:
+    log = walking_log()
+    loaded = log["truth_foot_forces"][:, 2::3] > 0.0
+    late = np.roll(loaded, 4, axis=0)
+    late[:4] = True
+    score = score_edges(log, late.astype(float), 0.0)
+    assert (score.true, score.missed, score.extra) == (4 * 49, 0, 0)
+    assert set(score.touchdown) == set(score.liftoff) == {0.008}
+    late[1250:1255, 0] = ~late[1250, 0]  # two estimated edges far from a true one
+    late[2000:2150, 1] = False  # two true edges without an estimated one
+    score = score_edges(log, late.astype(float), 0.0)
+    assert (score.missed, score.extra) == (2, 2)
+
+
+def test_motion_errors_are_zero_for_the_truth_and_ignore_the_first_yaw() -> None:
+    log = walking_log()
+    truth = true_motion(log)
+    turn = rotations_about_z(np.array([0.7]))[0]
+    turned = BaseMotion(turn @ truth.rotation, truth.position @ turn.T, truth.velocity @ turn.T)
+    assert all(abs(value) < 1e-6 for value in motion_values(log, turned).values())
+    longer = BaseMotion(truth.rotation, 1.01 * truth.position, 1.01 * truth.velocity)
+    values = motion_values(log, longer)
+    assert values["velocity RMSE x"] == pytest.approx(0.0, abs=1e-9)
+    assert values["velocity RMSE y"] == pytest.approx(0.002 * np.pi, rel=1e-6)
+    # A chord of 2 m of arc on a circle of 1 m is 2 sin 1 long.
+    assert values["relative error"] == pytest.approx(np.sin(1.0), rel=1e-2)
+
+
 def test_every_case_names_recordings_that_exist() -> None:
-    assert all(set(case.scenarios) <= set(SCENARIOS) for case in CASES.values())
+    assert all(set(case.scenarios) <= set(evaluation.RECORDINGS) for case in CASES.values())
 
 
 def test_foot_forces_sum_to_the_weight(pushed_log: Log) -> None:

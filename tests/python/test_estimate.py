@@ -289,7 +289,7 @@ def test_estimate_report_folder_contains_all_files_of_its_page(estimate, tmp_pat
     text = page.read_text()
     for file in re.findall(r'(?:src|href)="([^"]+)"', text):
         assert (page.parent / file).stat().st_size > 0
-    assert text.count("<img") == 7 and "&#x27;a b.csv&#x27;" in text
+    assert text.count("<img") == 8 and "&#x27;a b.csv&#x27;" in text
     assert all(f"<code>{name}</code>" in text for name in summary)
     assert json.loads((page.parent / "summary.json").read_text()) == summary
 

@@ -15,7 +15,14 @@ from surefoot.cli.output_files import (
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.simulation_arguments import read_gains
-from surefoot.estimate import read_log, run_estimator, summarise, write_trajectory
+from surefoot.estimate import (
+    read_log,
+    run_estimator,
+    summarise,
+    with_baselines,
+    write_trajectory,
+)
+from surefoot.estimate.baselines.vqf_attitude import check_vqf
 from surefoot.estimate.summary_text import summary_text
 from surefoot.robot.loading import build_robot
 from surefoot.sensor_log.file_checks import printable_path
@@ -34,6 +41,8 @@ def estimate(arguments: argparse.Namespace) -> None:
     check_json_path(arguments.json)
     check_table_path("--trajectory", arguments.trajectory)
     check_report_folder(arguments.report, "estimate --report", "surefoot.estimate.report")
+    if arguments.baseline:
+        check_vqf()
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # not None, because a default robot is given
     gains = read_gains(arguments.gains, description)
@@ -41,6 +50,8 @@ def estimate(arguments: argparse.Namespace) -> None:
     for note in log.notes:
         print(f"surefoot: note: {log.source}: {note}", file=sys.stderr)
     result = run_estimator(build_robot(description), log, gains, progress_bar())
+    if arguments.baseline:
+        result = with_baselines(result)
     summary = summarise(result)
     write_json(arguments.json, summary)
     if arguments.trajectory is not None:

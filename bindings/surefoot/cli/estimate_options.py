@@ -50,6 +50,11 @@ def add_estimate_options(parser: argparse.ArgumentParser) -> None:
     add("--columns", metavar="FILE.toml", help="names of the columns in the log")
     add_robot_options(parser, "go1")
     add("--gains", metavar="FILE.toml", help="gains that differ from the robot's own")
+    add(
+        "--baseline",
+        action="store_true",
+        help="also run a linear Kalman filter and leg odometry, both with the attitude of VQF",
+    )
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
     add("--trajectory", metavar="FILE.csv|FILE.npz", help="write the estimated trajectory")
     add("--report", metavar="DIR", help="write plots, index.html and summary.json")

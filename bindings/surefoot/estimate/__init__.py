@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from surefoot.estimate.baselines.from_estimate import with_baselines
 from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.run import run_estimator
 from surefoot.estimate.summary import summarise
@@ -26,6 +27,7 @@ __all__ = [
     "run_estimator",
     "summarise",
     "trajectory",
+    "with_baselines",
     "write_log",
     "write_report",
     "write_trajectory",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from surefoot.estimate.estimate_result import Estimate
 from surefoot.geometry.batch_rotations import Array
@@ -13,6 +14,9 @@ from surefoot.messages.low_state_layout import LEGS
 # Value of contact confidence or slip above which a foot counts as in contact or slipping. Chosen:
 # more likely than not.
 THRESHOLD = 0.5
+# [s] Shortest swing between two stances of a gait. Chosen: a foot bounces for up to 40 ms after
+# touch-down, and the swings of trotting robots last longer than 100 ms.
+MIN_SWING_TIME = 0.08
 
 
 @dataclass(frozen=True)
@@ -42,6 +46,27 @@ def transitions(time: Array, on: Array) -> list[Transition]:
         Transition(float(time[row + 1]), int(leg), bool(states[row + 1, leg]))
         for row, leg in zip(rows, legs, strict=True)
     ]
+
+
+def stance_rows(contact: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return first row and row after the last of each stance, from the contact (n,) of a foot.
+
+    A stance that the ends of the log cut counts too.
+    """
+    edges = np.diff(np.concatenate([[False], contact, [False]]).astype(np.int8))
+    pairs = zip(np.flatnonzero(edges > 0), np.flatnonzero(edges < 0), strict=True)
+    return [(int(start), int(end)) for start, end in pairs]
+
+
+def joined_stances(time: Array, contact: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return stance_rows() with stances joined that a swing shorter than MIN_SWING_TIME parts."""
+    joined: list[tuple[int, int]] = []
+    for start, end in stance_rows(contact):
+        if joined and time[start] - time[joined[-1][1]] < MIN_SWING_TIME:
+            joined[-1] = (joined[-1][0], end)
+        else:
+            joined.append((start, end))
+    return joined
 
 
 def row_durations(estimate: Estimate) -> Array:

@@ -8,7 +8,6 @@ import numpy as np
 
 from surefoot._core import EstimatorReport, Robot, SensorVerdict, StateEstimator, Status
 from surefoot.estimate.estimate_result import FOOT_SENSORS, SENSOR_NAMES
-from surefoot.geometry.batch_rotations import Array
 
 _DIAGONAL = 16 * np.arange(15)
 _ROTATION = (15 * np.arange(3)[:, None] + np.arange(3)).ravel()
@@ -77,7 +76,7 @@ class EstimateRecorder:
             self._verdict_codes = np.array([verdict.value for verdict in verdicts])
         self.verdicts[k] = self._verdict_codes
 
-    def arrays(self) -> dict[str, Array]:
+    def arrays(self) -> dict[str, Any]:
         """Return the arrays by name; a rejected row repeats the last accepted row."""
         count = np.arange(len(self.status))
         last = np.maximum.accumulate(np.where(self.status == Status.OK.value, count, -1))

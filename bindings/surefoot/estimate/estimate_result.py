@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Robot
+from surefoot.estimate.base_motion import BaseMotion
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rpy_from_matrices
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
@@ -64,6 +66,7 @@ class Estimate:
         gaps: Number of steps longer than 0.1 s, the largest dt that the estimator receives.
         longest_gap: Longest step of the clock [s].
         warnings: Findings that make the log or the estimate doubtful.
+        baselines: Motions (m) by other estimators, by name; empty without with_baselines().
     """
 
     robot: Robot
@@ -96,6 +99,7 @@ class Estimate:
     gaps: int
     longest_gap: float
     warnings: tuple[str, ...]
+    baselines: Mapping[str, BaseMotion] = field(default_factory=dict)
 
     @property
     def valid(self) -> npt.NDArray[np.bool_]:
@@ -106,6 +110,11 @@ class Estimate:
     def rotation(self) -> Array:
         """(m, 3, 3) rotation matrices, base axes to world axes."""
         return matrices_from_xyzw(self.q[:, 3:7])
+
+    @property
+    def motion(self) -> BaseMotion:
+        """Pose and velocity of the base (m)."""
+        return BaseMotion(self.rotation, self.q[:, :3], self.v_world)
 
     @property
     def rpy(self) -> Array:

@@ -11,6 +11,7 @@ from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.plot_bands import band, three_bands
 from surefoot.estimate.plot_contact import draw_contact, draw_verdicts
 from surefoot.estimate.plot_rows import rows_to_plot
+from surefoot.estimate.plot_stance import draw_stance
 from surefoot.estimate.truth_summary import heading_offset, rotate_by_yaw, true_rows, true_rpy
 from surefoot.geometry.batch_rotations import Array
 from surefoot.reports.plots import (
@@ -29,15 +30,19 @@ AXES = ("x", "y", "z")
 
 
 def draw_path(estimate: Estimate) -> Figure:
-    """Draw the horizontal path with the 2-sigma ellipse at its end, and the height."""
+    """Draw path and height, also of baselines, and the 2-sigma ellipse at the end of the path."""
     rows = rows_to_plot(estimate)
     p, std = estimate.q[rows, :3], estimate.std[rows, 6:9]
-    figure = Figure(figsize=(9.2, 3.6), layout="constrained")
+    figure = Figure(figsize=(9.2, 4.2), layout="constrained")
     ground, height = figure.subplots(1, 2)
     truth = _true_path(estimate)
     if truth is not None:
         ground.plot(truth[rows, 0], truth[rows, 1], color=BLUE, label="true")
         height.plot(estimate.time[rows], truth[rows, 2], color=BLUE)
+    for (name, motion), color in zip(estimate.baselines.items(), (GREEN, GREY), strict=False):
+        path = motion.position[rows]
+        ground.plot(path[:, 0], path[:, 1], color=color, lw=0.9, label=name.replace("_", " "))
+        height.plot(estimate.time[rows], path[:, 2], color=color, lw=0.9)
     ground.plot(p[:, 0], p[:, 1], color=ORANGE, lw=0.9, label="estimated")
     if np.isfinite(std[-1]).all():
         angle = np.linspace(0.0, 2.0 * np.pi, 60)
@@ -121,7 +126,8 @@ PLOTS: tuple[Plot[Estimate], ...] = (
         "path.png",
         "Path of the base",
         "In the world frame of the estimator, which starts under the base with its heading. The "
-        "truth is aligned at the start. Bands and ellipse are two standard deviations.",
+        "truth and the baselines are aligned at the start. Bands and ellipse are two standard "
+        "deviations.",
         draw_path,
     ),
     Plot(
@@ -148,6 +154,13 @@ PLOTS: tuple[Plot[Estimate], ...] = (
         "Contact confidence of each foot and the measured vertical forces; the shaded area is the "
         "true force.",
         draw_contact,
+    ),
+    Plot(
+        "stance.png",
+        "Stances",
+        "Each bar is a stance of a foot, with contact confidence above 0.5: over the whole log, "
+        "and over the 4 s with the most steps. Narrow bars: true contact.",
+        draw_stance,
     ),
     Plot("verdicts.png", "Verdicts", "Verdict on each sensor over time.", draw_verdicts),
     Plot(

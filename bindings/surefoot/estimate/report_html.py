@@ -78,12 +78,16 @@ def _page_summary(summary: dict[str, Any]) -> dict[str, Any]:
             else []
         )
         shown[name] = entries[:MAX_LIST_LINES] + more
-    delays = summary["contact_delays"]
-    if delays is not None:
-        shown["contact_delays"] = {
-            foot: ", ".join(f"{k} {v}" for k, v in entry.items()) for foot, entry in delays.items()
-        }
+    for name in ("contact_delays", "strides", "baselines"):
+        if summary[name] is not None:
+            shown[name] = {key: _entries(entry) for key, entry in summary[name].items()}
     return shown
+
+
+def _entries(values: dict[str, Any]) -> str:
+    """Return named numbers as text, rounded to four digits."""
+    texts = {k: f"{v:.4g}" if isinstance(v, float) else str(v) for k, v in values.items()}
+    return ", ".join(f"{k} {text}" for k, text in texts.items())
 
 
 def _shares(shares: dict[str, float]) -> str:

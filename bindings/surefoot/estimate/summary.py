@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import SensorVerdict, Status
+from surefoot.estimate.baseline_summary import baseline_summary
 from surefoot.estimate.contact_events import row_durations, slip_events, transitions
 from surefoot.estimate.estimate_result import SENSOR_NAMES, Estimate
 from surefoot.estimate.joint_velocities import METHOD
+from surefoot.estimate.strides import stride_summary
 from surefoot.estimate.truth_summary import truth_summary
 from surefoot.files.json_values import json_value
 from surefoot.geometry.batch_rotations import Array
@@ -31,6 +33,7 @@ def summarise(estimate: Estimate) -> dict[str, Any]:
         _sensors(estimate),
         _contact(estimate),
         truth_summary(estimate),
+        {"baselines": baseline_summary(estimate)},
     )
     return {name: json_value(value) for part in parts for name, value in part.items()}
 
@@ -148,4 +151,5 @@ def _contact(estimate: Estimate) -> dict[str, Any]:
             for change in found
         ],
         "slip_events": slip_events(estimate),
+        "strides": stride_summary(estimate),
     }

@@ -77,6 +77,12 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ),
         ("contact_transitions", "", "time [s], foot, contact: true touch-down, false lift-off"),
         ("slip_events", "", "slips with confidence above 0.5: time [s], foot, duration [s]"),
+        (
+            "strides",
+            "",
+            "per foot, from touch-down to touch-down within 2 s: number, and medians of the stride "
+            "time [s], the duty factor and the step length [m] in the plane; null without strides",
+        ),
     ),
     "Truth": (
         (
@@ -97,6 +103,17 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
             "",
             "per foot: true transitions, missed (not estimated from 0.1 s before to 0.3 s after), "
             "false (estimated without a true one), mean and max delay [s]",
+        ),
+    ),
+    "Baselines": (
+        (
+            "baselines",
+            "",
+            "null without --baseline. For Surefoot (surefoot), a linear Kalman filter and leg "
+            "odometry, both with the attitude of VQF: closure (horizontal distance from start to "
+            "end) [m], height_drift (end minus start) [m], yaw_deg (end minus start), RMS "
+            "differences to Surefoot of velocity [m/s] and tilt [deg], and RMS of velocity_error "
+            "[m/s] against truth_v; velocities in the axes of the heading",
         ),
     ),
 }

@@ -65,11 +65,34 @@ def summary_text(s: dict[str, Any]) -> str:
     lines.append(("sensors", ", ".join(bad) if bad else "no bad ones found"))
     changes = len(s["contact_transitions"])
     lines.append(("contact", f"{changes} transitions, {len(s['slip_events'])} slips"))
+    lines += [("strides" if k == 0 else "", text) for k, text in enumerate(stride_lines(s))]
+    lines += [("baselines" if k == 0 else "", text) for k, text in enumerate(baseline_lines(s))]
     if s["velocity_rmse"] is not None:
         lines.append(("truth", f"RMSE: velocity {s['velocity_rmse']:.4f} m/s"))
     if s["update_us"] is not None:
         lines.append(("update", f"{s['update_us']['p50']:.1f} us median"))
     return "\n".join([f"{headline(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
+
+
+def stride_lines(s: dict[str, Any]) -> list[str]:
+    """Return one line for each foot that made strides."""
+    return [
+        f"{foot} {v['strides']} of {v['stride_time_s']:.3f} s, duty {v['duty']:.2f}, "
+        f"step {v['step_length_m']:.3f} m"
+        for foot, v in s["strides"].items()
+        if v["strides"]
+    ]
+
+
+def baseline_lines(s: dict[str, Any]) -> list[str]:
+    """Return one line for the estimator and for each baseline; none without baselines."""
+    return [
+        f"{name.replace('_', ' ')}: closure {v['closure']:.3f} m, "
+        f"height {v['height_drift']:+.3f} m, yaw {v['yaw_deg']:+.1f} deg, "
+        f"velocity differs by {v['velocity_difference']:.3f} m/s, "
+        f"tilt by {v['tilt_difference_deg']:.2f} deg"
+        for name, v in (s["baselines"] or {}).items()
+    ]
 
 
 def values_with_std(

@@ -106,12 +106,22 @@ def _force_rmse(estimate: Estimate) -> dict[str, Any] | None:
     return {leg: _rms(share[:, k]) for k, leg in enumerate(LEGS)}
 
 
-def _delays(estimate: Estimate) -> dict[str, Any] | None:
+def true_contact(estimate: Estimate) -> Array | None:
+    """Return the true contact (m, 4): 1 for a foot on the ground, 0 for one off the ground.
+
+    NaN: before the first accepted row. None: the log has neither truth_contact nor
+    truth_foot_forces.
+    """
     standing = true_rows(estimate, "truth_contact")
     forces = true_rows(estimate, "truth_foot_forces")
     if standing is None and forces is not None:
         load = np.linalg.norm(forces.reshape(-1, 4, 3), axis=2)
         standing = np.where(np.isfinite(load), load > MIN_CONTACT_FORCE, np.nan)
+    return standing
+
+
+def _delays(estimate: Estimate) -> dict[str, Any] | None:
+    standing = true_contact(estimate)
     if standing is None:
         return None
     true, estimated = (

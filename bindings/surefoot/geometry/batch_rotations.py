@@ -40,3 +40,21 @@ def rotation_vectors(rotation: Array) -> Array:
     size = np.linalg.norm(twice_sine, axis=1)
     angle = np.arctan2(size, np.trace(R, axis1=1, axis2=2) - 1.0)
     return np.asarray(twice_sine * (angle / np.maximum(size, 1e-12))[:, None])
+
+
+def rotations_about_z(angle: Array) -> Array:
+    """Return the rotation matrices (n, 3, 3) by angles (n,) [rad] about z."""
+    R = np.zeros((len(angle), 3, 3))
+    R[:, 0, 0] = R[:, 1, 1] = np.cos(angle)
+    R[:, 1, 0], R[:, 0, 1] = np.sin(angle), -np.sin(angle)
+    R[:, 2, 2] = 1.0
+    return R
+
+
+def tilt_between(first: Array, second: Array) -> Array:
+    """Return the angles (n,) [rad], up to pi / 2, between the verticals of two rotations.
+
+    The rotations (n, 3, 3) are from base axes to world axes with z up; their yaw does not count.
+    """
+    sine = np.linalg.norm(np.cross(first[:, 2], second[:, 2]), axis=1)
+    return np.asarray(np.arcsin(np.clip(sine, 0.0, 1.0)))
