@@ -20,7 +20,7 @@ struct PlaneFixture {
     for (int leg = 0; leg < kLegs; ++leg) ground.stand_at(leg, points.col(leg));
   }
   void run(double seconds) {
-    for (int k = 0; k < seconds / 0.002; ++k) ground.update(0.1, {0.0, 0.0}, 0.002);
+    for (int k = 0; k < seconds / 0.002; ++k) ground.update(0.1, {0.0, 0.0}, 0.0, 0.002);
   }
   Vector3 sloping() const { return Vector3(-kSlope, 0.0, 1.0).normalized(); }
   FeetMatrix sloped() const {
@@ -83,9 +83,9 @@ BOOST_FIXTURE_TEST_CASE(height_for_the_body_approaches_a_step_without_a_jump, Pl
   stand(feet);
   run(0.002);
   BOOST_TEST(std::abs(ground.height_at({0.0, 0.0}) - 0.1 - 0.02) < 1e-6);
-  BOOST_TEST(std::abs(ground.smooth_height_at({0.0, 0.0}) - 0.1) < 1e-3);
+  BOOST_TEST(std::abs(ground.height_of_soles({0.0, 0.0}) - 0.1) < 1e-3);
   run(0.1);
-  BOOST_TEST(std::abs(ground.smooth_height_at({0.0, 0.0}) - 0.1 - 0.02 * (1.0 - std::exp(-1.0))) <
+  BOOST_TEST(std::abs(ground.height_of_soles({0.0, 0.0}) - 0.1 - 0.02 * (1.0 - std::exp(-1.0))) <
              1e-3);
 }
 
@@ -98,8 +98,8 @@ BOOST_FIXTURE_TEST_CASE(height_for_the_body_does_not_lag_on_a_slope, PlaneFixtur
     points.row(0).array() += body.x();
     points.row(2) += kSlope * points.row(0);
     stand(points);
-    ground.update(0.1, body, 0.002);
-    BOOST_REQUIRE(std::abs(ground.smooth_height_at(body) - 0.1 - kSlope * body.x()) < 1e-9);
+    ground.update(0.1, body, 0.0, 0.002);
+    BOOST_REQUIRE(std::abs(ground.height_of_soles(body) - 0.1 - kSlope * body.x()) < 1e-9);
   }
 }
 
@@ -118,6 +118,14 @@ BOOST_FIXTURE_TEST_CASE(feet_that_span_no_ground_keep_the_normal, PlaneFixture) 
     run(1.0);
     BOOST_TEST((ground.normal() - before).norm() < 1e-12);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(body_follows_the_sink_of_the_soles_and_footholds_do_not, PlaneFixture) {
+  ground.start(feet, Eigen::Vector4d::Ones(), Vector3::UnitZ());
+  const double height = ground.height_at({0.0, 0.0});
+  for (int k = 0; k < 1000; ++k) ground.update(0.1, {0.0, 0.0}, 0.005, 0.002);
+  BOOST_TEST(std::abs(ground.height_at({0.0, 0.0}) - height) < 1e-9);
+  BOOST_TEST(std::abs(ground.height_of_soles({0.0, 0.0}) - height + 0.005) < 1e-6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

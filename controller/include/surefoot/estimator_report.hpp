@@ -49,8 +49,8 @@ struct EstimatorReport {
   FeetMatrix foot_forces_from_torques = FeetMatrix::Zero();
   /// How sure the estimator is that a loaded foot slips, 0 .. 1.
   Eigen::Vector4d slip = Eigen::Vector4d::Zero();
-  /// Friction coefficient of the ground, learnt from feet that slide and hold: 0.1 ..
-  /// RobotConfig::friction. Initially RobotConfig::friction.
+  /// Friction coefficient of the ground, learnt from feet that slide and hold. Initially
+  /// RobotConfig::friction, and never more; at least 0.1.
   double friction = 0.0;
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes

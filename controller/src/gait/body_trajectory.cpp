@@ -73,7 +73,7 @@ void BodyTrajectory::write(const GroundPlane& ground, const BodySway& sway,
   const Vector3& n = ground.normal();
   const Eigen::Vector2d slope = -n.head<2>() / n.z();  // rise per distance
   reference.body_point = BodyPoint::kCenterOfMass;
-  reference.p_com << p, ground.smooth_height_at(p) + height_ + offset.relative_pose().height;
+  reference.p_com << p, ground.height_of_soles(p) + height_ + offset.relative_pose().height;
   reference.v_com << v, slope.dot(v) + offset.v_height();
   reference.a_com << a, slope.dot(a);
   const Quaternion heading = exp_so3((yaw_ + ahead * velocity_.yaw_rate) * Vector3::UnitZ());

@@ -28,7 +28,8 @@ Vector3 normal_of(const FeetMatrix& p, const Vector3& fallback) noexcept {
 }  // namespace
 
 void GroundPlane::start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
-                        const Vector3& normal) noexcept {
+                        const Vector3& normal, double sink) noexcept {
+  sink_ = sink;
   // Numerical: the small share gives a mean when no foot has contact.
   const Eigen::Vector4d weight = contact.array() + 1e-3;
   mean_ = p_world_feet * weight / weight.sum();
@@ -42,13 +43,15 @@ void GroundPlane::start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& c
   jump_ = 0.0;
 }
 
-void GroundPlane::update(double time, const Eigen::Vector2d& p_world, double dt) noexcept {
+void GroundPlane::update(double time, const Eigen::Vector2d& p_world, double sink,
+                         double dt) noexcept {
   const double last = height_at(p_world);
   mean_ = points_.rowwise().mean();
   normal_ += dt / (dt + kNormalTime * time) * (normal_of(points_, normal_) - normal_);
   normal_.normalize();
   const double decay = kHeightTime * time / (dt + kHeightTime * time);
   jump_ = decay * (jump_ + height_at(p_world) - last);
+  sink_ = sink + decay * (sink_ - sink);
 }
 
 double GroundPlane::height_at(const Eigen::Vector2d& p_world) const noexcept {

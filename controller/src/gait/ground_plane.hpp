@@ -14,27 +14,31 @@ class GroundPlane {
   /// Begin with the plane of a standing robot.
   /// @param contact contact confidence per foot, 0 .. 1; a foot without contact is over the ground
   /// @param normal of the ground under the stand, unit length
-  void start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
-             const Vector3& normal) noexcept;
+  /// @param sink mean depth by which the soles yield [m]
+  void start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, const Vector3& normal,
+             double sink = 0.0) noexcept;
   /// Move the point of a foot that stands.
   void stand_at(int leg, const Vector3& p_world) noexcept { points_.col(leg) = p_world; }
   /// @param time unit of the time constants: sqrt(h/g) [s]
   /// @param p_world position of the body [m]
-  void update(double time, const Eigen::Vector2d& p_world, double dt) noexcept;
+  /// @param sink mean depth by which the soles yield [m]
+  void update(double time, const Eigen::Vector2d& p_world, double sink, double dt) noexcept;
 
   const Vector3& normal() const noexcept { return normal_; }  ///< unit length, upwards
   /// Height of the plane [m] at a world x and y [m].
   double height_at(const Eigen::Vector2d& p_world) const noexcept;
-  /// The same without jumps when a foot lands on a step, for the body.
-  double smooth_height_at(const Eigen::Vector2d& p_world) const noexcept {
-    return height_at(p_world) - jump_;
+  /// Height at which the soles carry the body [m]: lower by their sink, and without jumps when a
+  /// foot lands on a step.
+  double height_of_soles(const Eigen::Vector2d& p_world) const noexcept {
+    return height_at(p_world) - jump_ - sink_;
   }
 
  private:
   FeetMatrix points_ = FeetMatrix::Zero();
   Vector3 mean_ = Vector3::Zero();  // of the points [m]
   Vector3 normal_ = Vector3::UnitZ();
-  double jump_ = 0.0;  // [m] part of the height's changes that smooth_height_at() leaves out
+  double jump_ = 0.0;  // [m] part of the height's changes that height_of_soles() leaves out
+  double sink_ = 0.0;  // [m] mean sink of the soles, filtered
 };
 
 }  // namespace surefoot

@@ -61,10 +61,11 @@ void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
                      double height_offset) noexcept {
   at_rest_ = false;
   feet_.start(input.p_feet);
-  ground_.start(surface_points(input, ground_normal), input.state.contact, ground_normal);
+  ground_.start(surface_points(input, ground_normal), input.state.contact, ground_normal,
+                input.sole_sink.mean());
   sway_.start();
   const Eigen::Vector2d p = input.p_com.head<2>();
-  body_.start(measured_motion(input), input.p_com.z() - ground_.height_at(p) - height_offset);
+  body_.start(measured_motion(input), input.p_com.z() - ground_.height_of_soles(p) - height_offset);
 }
 
 void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
@@ -106,7 +107,7 @@ void Stepping::update_ground(const PlannerInput& input, bool steady) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     if (contacts().phase(leg) == FootPhase::kStance) ground_.stand_at(leg, points.col(leg));
   }
-  ground_.update(size_.time, input.p_com.head<2>(), input.dt);
+  ground_.update(size_.time, input.p_com.head<2>(), input.sole_sink.mean(), input.dt);
 }
 
 void Stepping::update_body(const PlannerInput& input, const WalkVelocity& command,
