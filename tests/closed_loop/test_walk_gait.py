@@ -27,9 +27,8 @@ def walk(gait: Gait, velocities: list[str], *references: str, duration: float) -
     )
 
 
-# [m/s], [rad/s] Largest mean error; required: 0.02. Measured: 0.035 sideways in the gait walk, and
-# 0.023 in a trot with the body 4 cm higher; the other errors are below 0.02.
-MEAN_ERROR = 0.04
+# [m/s], [rad/s] Largest mean error of the gait walk; required: 0.02. Measured: 0.033 forward.
+MEAN_ERROR = 0.035
 
 
 @pytest.fixture(scope="module")
@@ -63,8 +62,8 @@ def test_go1_trots_at_the_requested_height_and_pitch(height, pitch) -> None:
     assert not summary["fell"]
     assert summary["reference_limit"] == "none"
     assert np.all(np.array(summary["roll_pitch_rms_deg"]) <= 1.0)
-    assert np.all(np.array(summary["velocity_mean_error"]) <= MEAN_ERROR)
-    assert np.all(np.array(summary["velocity_rmse"]) <= [0.05, 0.06, 0.17])
+    assert np.all(np.array(summary["velocity_mean_error"]) <= 0.02)
+    assert np.all(np.array(summary["velocity_rmse"]) <= [0.05, 0.05, 0.1])
     trotting = slice(round(3.0 * log.rate), round(5.0 * log.rate))
     assert log.walking[trotting].all()
     standing_height = log.q_true[round(0.4 * log.rate), 2]
