@@ -126,8 +126,8 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);
   const double travelled = v_base.norm() > kMinTravelSpeed ? dt * v_base.norm() : 0.0;
-  friction.update(
-      {v_contact, leg_forces.forces(), state.contact, normal, travelled, feet_step()}, dt);
+  friction.update({v_contact, leg_forces.forces(), state.contact, normal, travelled, feet_step()},
+                  dt);
   state.friction = friction.share() * slip.friction(gains);
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
@@ -145,6 +145,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   feet.load = sole_load.load();
   feet.normal_variance = sole_load.sink_variance(filter.sole_compliance(), dt);
   feet.load_changes = sole_load.changes();
+  feet.steps = feet_step();
   const FeetMatrix rolling_lever =
       (-kRollingShare * normal * sole_sink().transpose()).colwise() + feet.lever;
   filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, rolling_lever, dt));

@@ -157,11 +157,14 @@ void InvariantFilter::correct(const FeetInput& feet, double gate) noexcept {
 // are subtracted from the innovation.
 //
 // The load at rest contains errors that do not move the foot, so the sole compliance is corrected
-// only while the load changes. At other times its gain is zero (Schmidt's consider filter).
+// only while the load changes. At other times its gain is zero (Schmidt's consider filter). While
+// the robot stands, its error is left out too: with a load that varies, the position, which is not
+// observable, would seem to be.
 void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& feet, double gate,
                                    Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
-  const Vector3 load = feet.load[leg] * feet.normal;
+  const bool uncertain_sink = feet.steps || feet.load_changes[leg];
+  const Vector3 load = uncertain_sink ? Vector3(feet.load[leg] * feet.normal) : Vector3::Zero();
   const Vector3& lever = lever_linearisation_;
   ErrorCovariance::Columns W, K;
   P_.project(leg, lever, load, W);

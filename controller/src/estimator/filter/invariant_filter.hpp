@@ -28,6 +28,7 @@ struct FeetInput {
   Vector3 normal = Vector3::UnitZ();  ///< of the ground, world axes, unit length
   /// Whether the load of a foot changes, so that its motion shows how far its sole yields.
   std::array<bool, kLegs> load_changes{};
+  bool steps = false;  ///< true: the robot steps, see StepDetector
   /// Vector from a contact point of a rigid sole to the centre of its foot, world axes [m].
   Vector3 lever = Vector3::Zero();
 };
