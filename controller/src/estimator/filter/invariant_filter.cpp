@@ -21,9 +21,6 @@ constexpr double kVarianceTolerance = 1e-6;
 constexpr double kMaxSpeed = 20.0;              // [m/s]
 constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
 constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
-// [foot radius] Soles with a smaller compliance count as rigid. Chosen: impacts on rigid soles
-// leave a compliance of up to 0.02.
-constexpr double kMinCompliance = 0.05;
 // [rad] A linearisation point is renewed after a rotation by this angle. Chosen. If smaller: the
 // noise of the estimate renews the point at rest, and then the tilt drifts (see relinearise();
 // test: test_estimator_rest.cpp). If larger: the error of the linearisation grows.
@@ -146,9 +143,7 @@ void InvariantFilter::correct(const FeetInput& feet, double gate) noexcept {
   Error xi = Error::Zero();
   nis_ = 0.0;
   nis_dimension_ = 0;
-  const bool soft = sole_compliance_ > kMinCompliance * feet.lever.norm();
-  used_compliance_ = soft ? sole_compliance_ : 0.0;
-  const FeetMatrix z = R_ * feet.y_base + used_compliance_ * feet.normal * feet.load.transpose() -
+  const FeetMatrix z = R_ * feet.y_base + sole_compliance_ * feet.normal * feet.load.transpose() -
                        (feet_.colwise() - p_);
   for (int leg = 0; leg < kLegs; ++leg) correct_foot(leg, z.col(leg), feet, gate, xi);
   apply(xi);

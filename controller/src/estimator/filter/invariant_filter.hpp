@@ -105,9 +105,8 @@ class InvariantFilter {
   const FeetMatrix& feet() const noexcept { return feet_; }
   const Vector3& gyroscope_bias() const noexcept { return gyroscope_bias_; }
   const Vector3& accelerometer_bias() const noexcept { return accelerometer_bias_; }
-  /// Depth [m] by which the soles yield under the weight of the robot; 0 for soles that are nearly
-  /// rigid.
-  double sole_compliance() const noexcept { return used_compliance_; }
+  /// Depth [m] by which the soles yield under the weight of the robot.
+  double sole_compliance() const noexcept { return sole_compliance_; }
   const ErrorCovariance& covariance() const noexcept { return P_; }
 
   // Results of the last correct():
@@ -146,7 +145,7 @@ class InvariantFilter {
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
-  double sole_compliance_ = 0.0, used_compliance_ = 0.0;  // [m] estimated; without small values
+  double sole_compliance_ = 0.0;
   ErrorCovariance P_;
   std::array<bool, kLegs> rejected_feet_{};
   Eigen::Vector4d foot_nis_ = Eigen::Vector4d::Zero();
