@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import bisect
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -12,6 +11,8 @@ from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.stand import PushRequest, ReferenceRequest
 from surefoot.stand.reference_request import body_references
+from surefoot.walk import VelocityRequest
+from surefoot.walk.velocity_request import velocity_ticks
 
 from estimation.log_rows import Array, Log, LogBuilder
 from estimation.stepping import Step, Stepper
@@ -32,8 +33,8 @@ class Scenario:
         lifts: External lifts.
         references: Body references.
         steps: Steps of the robot; with steps, a Stepper replaces the StandController.
-        velocities: Times [s] and velocity commands, in order of time; with velocities, a
-            WalkController replaces the StandController.
+        velocities: Velocity commands; with velocities, a WalkController replaces the
+            StandController.
     """
 
     robot: str
@@ -43,7 +44,7 @@ class Scenario:
     lifts: tuple[Lift, ...] = ()
     references: tuple[ReferenceRequest, ...] = field(default=())
     steps: tuple[Step, ...] = ()
-    velocities: tuple[tuple[float, WalkVelocity], ...] = ()
+    velocities: tuple[VelocityRequest, ...] = ()
 
 
 def record(scenario: Scenario) -> Log:
@@ -89,11 +90,14 @@ def _make_control(scenario: Scenario, plant: Plant) -> Callable[[int, LowState],
 
 def _make_walk(scenario: Scenario, plant: Plant) -> Callable[[int, LowState], LowCmd]:
     controller = WalkController(plant.robot, plant.robot.config.gains)
-    times = [time for time, _ in scenario.velocities]
+    requests = dict(velocity_ticks(scenario.velocities, plant.settings.control_rate))
+    velocity = WalkVelocity()
 
     def walk(row: int, state: LowState) -> LowCmd:
-        count = bisect.bisect_right(times, row / plant.settings.control_rate)
-        controller.set_velocity(scenario.velocities[count - 1][1] if count else WalkVelocity())
+        nonlocal velocity
+        if row in requests:
+            velocity = requests[row].velocity
+        controller.set_velocity(velocity)  # in every tick: a velocity times out
         return controller.update(state)
 
     return walk

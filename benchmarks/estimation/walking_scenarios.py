@@ -7,9 +7,9 @@ from collections.abc import Callable
 from functools import partial
 
 import numpy as np
-from surefoot import WalkVelocity
 from surefoot.sim import Flaws, PlantSettings
 from surefoot.sim.terrain import Terrain
+from surefoot.walk import VelocityRequest
 
 from estimation.recording import Scenario
 
@@ -25,11 +25,11 @@ def square(speed: float, robot: str, seed: int) -> Scenario:
     """Return the scenario of one lap of a square, at a speed [m/s]."""
     commands, time = [], STAND_TIME
     for _ in range(4):
-        commands.append((time, WalkVelocity(speed, 0.0, 0.0)))
+        commands.append(VelocityRequest(speed, 0.0, 0.0, time))
         time += SIDE / speed
-        commands.append((time, WalkVelocity(0.0, 0.0, TURN_RATE)))
+        commands.append(VelocityRequest(0.0, 0.0, TURN_RATE, time))
         time += 0.5 * math.pi / TURN_RATE
-    return _walk(robot, _plant(seed), [*commands, (time, WalkVelocity())])
+    return _walk(robot, _plant(seed), [*commands, VelocityRequest(0.0, 0.0, 0.0, time)])
 
 
 def straight(vx: float, vy: float, robot: str, seed: int) -> Scenario:
@@ -76,17 +76,15 @@ WALKING_SCENARIOS: dict[str, Callable[[str, int], Scenario]] = {
 }
 
 
-def _straight(vx: float, vy: float) -> list[tuple[float, WalkVelocity]]:
+def _straight(vx: float, vy: float) -> list[VelocityRequest]:
     return [
-        (STAND_TIME, WalkVelocity(vx, vy, 0.0)),
-        (STAND_TIME + STRAIGHT_TIME, WalkVelocity()),
+        VelocityRequest(vx, vy, 0.0, STAND_TIME),
+        VelocityRequest(0.0, 0.0, 0.0, STAND_TIME + STRAIGHT_TIME),
     ]
 
 
-def _walk(
-    robot: str, plant: PlantSettings, velocities: list[tuple[float, WalkVelocity]]
-) -> Scenario:
-    duration = velocities[-1][0] + STAND_TIME
+def _walk(robot: str, plant: PlantSettings, velocities: list[VelocityRequest]) -> Scenario:
+    duration = velocities[-1].time + STAND_TIME
     return Scenario(robot, duration, plant, velocities=tuple(velocities))
 
 

@@ -56,11 +56,15 @@ def trot(duration: float, roll_rate: float):
     return inputs, rotation, FootMotion(centre, relative, omega), position
 
 
+def motion_of_trot(baseline, seconds: float, roll_rate: float):
+    """Return the motion that a baseline estimates of a trot, and the true position."""
+    inputs, rotation, feet, position = trot(seconds, roll_rate)
+    return baseline(inputs, rotation, feet, stance_trust(inputs.time, inputs.contact)), position
+
+
 @pytest.mark.parametrize("roll_rate", [0.0, 2.0])
 def test_linear_filter_follows_a_trot_on_fixed_or_rolling_feet(roll_rate) -> None:
-    inputs, rotation, feet, position = trot(4.0, roll_rate)
-    trust = stance_trust(inputs.time, inputs.contact)
-    motion = linear_filter(inputs, rotation, feet, trust)
+    motion, position = motion_of_trot(linear_filter, 4.0, roll_rate)
     moved = motion.position[-1] - motion.position[500]
     assert moved == pytest.approx(position[-1] - position[500], abs=0.03 * 0.5 * 3.0)
     assert np.abs(motion.velocity[500:, 0] - 0.5).max() < 0.05
@@ -69,9 +73,7 @@ def test_linear_filter_follows_a_trot_on_fixed_or_rolling_feet(roll_rate) -> Non
 
 @pytest.mark.parametrize("roll_rate", [0.0, 2.0])
 def test_leg_odometry_integrates_the_velocity_of_the_stance_feet(roll_rate) -> None:
-    inputs, rotation, feet, position = trot(2.0, roll_rate)
-    trust = stance_trust(inputs.time, inputs.contact)
-    motion = leg_odometry(inputs, rotation, feet, trust)
+    motion, position = motion_of_trot(leg_odometry, 2.0, roll_rate)
     moved = motion.position[-1] - motion.position[0]
     assert moved == pytest.approx(position[-1] - position[0], abs=2e-3)
 
