@@ -14,6 +14,9 @@ from surefoot.walk.steps import stance_phases
 pytestmark = pytest.mark.slow
 
 
+SOLE_SINK = 0.015  # [m] a sole sinks by 10 mm under half of the robot, more while it lands
+
+
 def walk(robot: str, duration: float, **plant: object) -> WalkLog:
     """Walk ahead at 0.4 m/s on a plant with these settings."""
     settings = WalkSettings(
@@ -44,7 +47,7 @@ def test_robot_crosses_a_terrain_that_it_does_not_see(
 ) -> None:
     log = walk(robot, terrain.end / 0.4 + 2.5, terrain=terrain)
     assert not log.fell
-    assert (highest_stance(log) > top - 0.01).all()  # each foot stood on it
+    assert (highest_stance(log) > top - SOLE_SINK).all()  # each foot stood on it
     assert log.feet[-1, 0].min() > terrain.end  # and has left it
     assert log.leg_contacts.sum() == 0
 
