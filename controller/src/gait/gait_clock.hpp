@@ -40,8 +40,8 @@ class GaitClock {
     phase_ = fraction(timing.duty - timing.offset[leg]);
   }
 
-  /// Continue the swing of `leg` with another timing, at the same share of the swing. The other legs
-  /// that move with it skip this swing.
+  /// Continue the swing of `leg` with another timing, at the same share of the swing. The other
+  /// legs that move with it skip this swing.
   void continue_swing(const GaitTiming& timing, int leg) noexcept;
 
   /// Advance the phase.

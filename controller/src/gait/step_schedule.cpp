@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/step_schedule.hpp"
-#include <cstdlib>
 
 #include "gait/body_trajectory.hpp"
 #include "gait/gait_timing.hpp"
@@ -13,10 +12,14 @@ namespace {
 // [period] Longest wait for late feet. Chosen: a foot that meets no ground within this time, 60 ms
 // of a period of 0.42 s, has stepped into a hole.
 constexpr double kMaxWait = 0.15;
-// [walk_gait_speed] Speed below which a walk begins, or changes the order of its feet. All feet then
-// stand for a quarter of a period, in which the body moves by 2 cm at h = 0.3 m. Chosen. If larger:
-// the feet stay too far behind.
-const double kChangeSpeed = std::getenv("KS") ? std::atof(std::getenv("KS")) : 0.25;
+// [walk_gait_speed] Speed below which a walk begins, or changes the order of its feet. All feet
+// then stand for a quarter of a period, in which the body moves by 2 cm at h = 0.3 m. Chosen. If
+// larger: the feet stay too far behind.
+constexpr double kChangeSpeed = 0.25;
+// Share of a walk's swing from which on the foot lands before the robot trots. Before it, the foot
+// begins a new swing together with its diagonal neighbour. Pushed go1 fell in 1 of 16 minutes with
+// 0.35 and with 0.6, and in 3 with 0, where the foot always lands first.
+constexpr double kLateSwing = 0.5;
 
 }  // namespace
 
@@ -40,7 +43,11 @@ void StepSchedule::trot_at_once(const Gains& gains, const WalkVelocity& velocity
   pattern_.walk = false;
   const GaitTiming timing = gait_timing(pattern_, gains, size_, velocity);
   for (int swinging = 0; swinging < kLegs; ++swinging) {
-    if (clock_.in_swing(swinging)) return clock_.continue_swing(timing, swinging);
+    if (!clock_.in_swing(swinging)) continue;
+    if (clock_.swing_progress(swinging) > kLateSwing)
+      return clock_.continue_swing(timing, swinging);
+    contacts_.restart_swing(swinging);
+    leg = swinging;
   }
   clock_.start_swing(timing, leg);
 }

@@ -63,9 +63,9 @@ class Stepping {
   GroundPlane ground_;
   BodyTrajectory body_;
   BodySway sway_;
-  bool at_rest_ = false;     // no foot need lift off
-  bool recovers_ = false;    // a walk trots because of a push
-  double calm_time_ = 0.0;   // [s] time since the capture point has been where it is planned
+  bool at_rest_ = false;    // no foot need lift off
+  bool recovers_ = false;   // a walk trots because of a push
+  double calm_time_ = 0.0;  // [s] time since the capture point has been where it is planned
 };
 
 }  // namespace surefoot
