@@ -171,6 +171,20 @@ BOOST_FIXTURE_TEST_CASE(stop_keeps_standing_feet_down_and_lets_swing_feet_land, 
   BOOST_TEST(clock.time_to_liftoff(FR_) == kPeriod);
 }
 
+BOOST_FIXTURE_TEST_CASE(foot_of_a_walk_lands_in_the_timing_of_a_trot, ClockFixture) {
+  timing.duty = 0.8;
+  timing.offset = {0.05, 0.3, 0.55, 0.8};
+  time_until_swing(RR_);
+  run(0.6 * timing.swing_time());
+  const double progress = clock.swing_progress(RR_);
+  timing = GaitTiming();
+  clock.continue_swing(timing, RR_);
+  BOOST_TEST(std::abs(clock.swing_progress(RR_) - progress) < 1e-9);
+  BOOST_TEST((clock.in_swing(RR_) && swing_feet() == 1));
+  time_until_swing(FR_);
+  BOOST_TEST((clock.in_swing(RL_) && !clock.in_swing(RR_)));
+}
+
 // A foot that lifted off in the middle of its swing time would have too little time to land.
 BOOST_FIXTURE_TEST_CASE(released_foot_lifts_off_in_its_next_cycle, ClockFixture) {
   stop = true;

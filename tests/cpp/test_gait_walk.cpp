@@ -5,17 +5,25 @@ using namespace surefoot;
 
 namespace {
 
-// The gait walk of a robot that does not move.
+// The gait walk of a robot that moves as planned; its joints do not move.
 struct GaitWalkFixture : PlannedWalk {
-  std::array<int, 5> ticks{};  // by number of swing feet
+  std::array<int, 5> ticks{};      // by number of swing feet
+  Vector3 push = Vector3::Zero();  // [m/s] velocity beyond the planned one, world axes
 
   GaitWalkFixture() { planner.set_gait(gains, Gait::kWalk); }
   void count(const WalkVelocity& velocity, double seconds) {
     ticks = {};
     for (int k = 0; k < seconds / kDt - 0.5; ++k) {
       walk(velocity, kDt);
+      follow();
       ++ticks[swing_feet()];
     }
+  }
+  void follow() {
+    const Vector3 v = reference.v_com + push + 5.0 * (reference.p_com - dynamics.p_world_com());
+    state.q.head<2>() += kDt * v.head<2>();
+    state.v.head<3>() = dynamics.R_world_base().transpose() * v;
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
   }
 };
 
@@ -48,7 +56,7 @@ BOOST_FIXTURE_TEST_CASE(gait_changes_while_the_robot_walks, GaitWalkFixture) {
   const WalkVelocity velocity{0.1, 0.0, 0.0};
   for (const Gait gait : {Gait::kAuto, Gait::kWalk, Gait::kTrot}) {
     planner.set_gait(gains, gait);
-    walk(velocity, 1.0);
+    count(velocity, 1.0);
     BOOST_TEST(planner.walking());
     count(velocity, 2.0);
     const bool walks = gait == Gait::kWalk;
@@ -65,6 +73,31 @@ BOOST_FIXTURE_TEST_CASE(order_changes_with_the_direction_of_motion, GaitWalkFixt
     BOOST_TEST(ticks[1] > 600);  // of 1500; early stances shorten the swings of a robot at rest
     BOOST_TEST(ticks[2] + ticks[3] + ticks[4] == 0);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(pushed_walk_trots_and_then_walks_again, GaitWalkFixture) {
+  const WalkVelocity velocity{0.1, 0.0, 0.0};
+  count(velocity, 3.0);
+  push.y() = 0.5;
+  count(velocity, 0.3);
+  BOOST_TEST(ticks[2] > 20);
+  push.setZero();
+  count(velocity, 2.0);
+  count(velocity, 2.0);
+  BOOST_TEST((ticks[1] > 500 && ticks[2] == 0));
+}
+
+// All feet stand while the order changes, so the body must be slow before.
+BOOST_FIXTURE_TEST_CASE(walk_slows_down_before_it_changes_its_order, GaitWalkFixture) {
+  count({0.2, 0.0, 0.0}, 4.0);
+  const WalkOrder order = planner.stepping().pattern().order;
+  double speed = 1.0;
+  for (int k = 0; k < 2000 && planner.stepping().pattern().order == order; ++k) {
+    count({0.0, 0.2, 0.0}, kDt);
+    speed = planner.stepping().body().v_world().norm();
+  }
+  BOOST_TEST((planner.stepping().pattern().order != order));
+  BOOST_TEST(speed < 0.3 * gains.walk_gait_speed * planner.stepping().size().speed);
 }
 
 BOOST_FIXTURE_TEST_CASE(height_and_attitude_last_from_stand_to_trot_to_stand, PlannedWalk) {

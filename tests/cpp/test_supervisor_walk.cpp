@@ -205,8 +205,24 @@ BOOST_AUTO_TEST_CASE(flight_of_a_trot_is_no_lift) {
 
 BOOST_AUTO_TEST_CASE(vibration_after_a_touchdown_is_no_gyroscope_jump) {
   BOOST_TEST(rejects_change(4.0F, ImuMotion::kStands));
-  BOOST_TEST(!rejects_change(4.0F, ImuMotion::kSteps));
-  BOOST_TEST(rejects_change(8.0F, ImuMotion::kSteps));
+  BOOST_TEST(!rejects_change(9.0F, ImuMotion::kSteps));
+  BOOST_TEST(rejects_change(13.0F, ImuMotion::kSteps));
+}
+
+BOOST_AUTO_TEST_CASE(noise_of_a_stepping_gyroscope_is_rejected_and_a_burst_is_not) {
+  const auto rejected_after = [](double decay) {  // [s] until a sample is rejected, or 0.1
+    ImuMonitor monitor;
+    IMU imu = resting_sample(quadruped(), 0).imu;
+    monitor.update(imu, kPeriod, true, ImuMotion::kSteps);
+    for (int k = 0; k < 50; ++k) {
+      imu.gyroscope[0] = static_cast<float>((k % 2 ? -4.0 : 4.0) * std::exp(-k * kPeriod / decay));
+      monitor.update(imu, kPeriod, true, ImuMotion::kSteps);
+      if (!monitor.rates_plausible()) return k * kPeriod;
+    }
+    return 0.1;
+  };
+  BOOST_TEST(rejected_after(0.008) == 0.1);
+  BOOST_TEST(rejected_after(10.0) < 0.02);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

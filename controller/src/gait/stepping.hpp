@@ -42,6 +42,7 @@ class Stepping {
   const FeetMatrix& footholds() const noexcept { return feet_.footholds(); }  ///< [m] world frame
   const FootContacts& contacts() const noexcept { return schedule_.contacts(); }
   const GaitClock& clock() const noexcept { return schedule_.clock(); }
+  const StepPattern& pattern() const noexcept { return schedule_.pattern(); }
   const BodyTrajectory& body() const noexcept { return body_; }
   const BodySway& sway() const noexcept { return sway_; }
 
