@@ -15,6 +15,7 @@ from surefoot._core import (
     RunSnapshot,
     fault_table,
 )
+from surefoot.cli.gait_argument import read_gait
 from surefoot.cli.run_keyboard import KeyboardLines
 from surefoot.cli.run_velocity import VELOCITY_HELP, KeyVelocity
 from surefoot.messages.low_state_layout import LEGS
@@ -45,7 +46,7 @@ def key_help(rise: bool) -> str:
     arms = "a + Enter arms" if rise else "a + Enter takes the robot over again in its present pose"
     return (
         f"x + Enter damps, d sits down, {arms}, u rises, w walks, s stops, {VELOCITY_HELP}, "
-        "q prints joint angles"
+        "gait auto|trot|walk chooses the gait, q prints joint angles"
     )
 
 
@@ -108,10 +109,21 @@ class Operator:
             self._print_refusal("standing", self._runner.request(Mode.STAND), snapshot)
         elif word == "q":
             self._print_line(f"{snapshot.time:7.2f} s joints [rad] {joints_text(snapshot)}")
+        elif word.split()[0] == "gait":
+            self._set_gait(" ".join(word.split()[1:]), snapshot)
         elif not self._change_velocity(word, snapshot):
             self._print_line(
                 f"{snapshot.time:7.2f} s '{word}': unknown key: {key_help(self._rise)}"
             )
+
+    def _set_gait(self, name: str, snapshot: RunSnapshot) -> None:
+        """Set the gait of the mode WALK and print it, or print which gaits there are."""
+        try:
+            self._runner.set_gait(read_gait("gait", name))
+        except Error as problem:
+            self._print_line(f"{snapshot.time:7.2f} s {problem}")
+            return
+        self._print_line(f"{snapshot.time:7.2f} s gait {name}")
 
     def _change_velocity(self, line: str, snapshot: RunSnapshot) -> bool:
         """Change the velocity and print it; return whether the line is about the velocity."""
