@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-
 #include "dynamics/dynamics.hpp"
 #include "estimator/contact/leg_forces.hpp"
 
