@@ -2,14 +2,12 @@
 """False trips: count all faults in hours of a healthy robot under its supervisor.
 
     python benchmarks/false_trips.py --robot go1 --hours 10 --jobs 2 --json FILE
-    python benchmarks/false_trips.py --robot go1 --hours 1 --walk --json FILE
 
 In each run the robot gets up, stands for a minute with pushes and changes of its body reference,
-and sits down. With --walk it walks at random velocities instead of standing, with the sensor errors
-and soles of a walking robot, and is pushed to half of the limit. The seed draws ground, payload and
-motors. The robot has no fault, so every reaction
+and sits down. The seed draws ground, payload and motors. The robot has no fault, so every reaction
 (sit or damp) is a false trip. A fall also counts as a false trip. A robot that gives up its rise
-and lies down again is counted separately. tests/closed_loop has a short form of this benchmark.
+and lies down again is counted separately. tests/closed_loop has a short form of this benchmark;
+walk_endurance.py has robots that walk.
 """
 
 from __future__ import annotations
@@ -18,14 +16,13 @@ import argparse
 import math
 import sys
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import surefoot
 from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds
-from surefoot import BodyReference, FaultReaction, Mode, WalkVelocity
+from surefoot import BodyReference, FaultReaction, Mode
 from surefoot.cli.output_files import write_json
-from surefoot.faults.matrix.scenario import WALKING_LEVEL
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 
@@ -33,9 +30,6 @@ STAND_TIME = 60.0  # [s] duration of standing in each run
 MAX_TRANSITION_TIME = 60.0  # [s] longest time to get up (with leg interference), or to lie down
 CHECK_TICKS = 10  # [ticks] interval of the checks of fault counts and falls
 DISTURBANCE_PERIOD = 5.0  # [s] time between two pushes, and between two body references
-WALK_PUSH_SHARE = 0.1, 0.5  # the same as PUSH_SHARE, of a walking robot
-# Range of velocities: forward, to the left [sqrt(g h)], turn [sqrt(g/h)], h: height of the base.
-WALK_LOW, WALK_HIGH = (-0.2, -0.15, -0.2), (0.45, 0.15, 0.2)
 PUSH_SHARE = 0.1, 0.4  # range of the impulse as a share of the LIP push limit
 MAX_PAYLOAD_SHARE = 0.3  # largest payload as a share of the robot's mass
 MAX_SLOPE = 8.0  # [deg] largest slope of the ground
@@ -57,12 +51,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--robot", default="go1", choices=ROBOTS)
     parser.add_argument("--hours", type=positive_hours, default=10.0, help="simulated hours (10)")
-    parser.add_argument("--walk", action="store_true", help="walk instead of standing")
     add_seed_options(parser)
     options = parser.parse_args()
-    activity = "walk" if options.walk else "stand"
     count = math.ceil(3600.0 * options.hours / (STAND_TIME + 10.0))
-    jobs: list[Job] = [(options.robot, activity, options.first + k) for k in range(count)]
+    jobs: list[Job] = [(options.robot, options.first + k) for k in range(count)]
     result = summary(options.robot, run_seeds(run_healthy, HealthyRun, jobs, options))
     print(text(result))
     write_json(options.json, result, 1)
@@ -78,26 +70,22 @@ def positive_hours(text: str) -> float:
 
 
 def run_healthy(job: Job, standing: float = STAND_TIME) -> HealthyRun:
-    """Run one seed: get up, stand or walk for a time [s] with disturbances, sit down.
+    """Run one seed: get up, stand for a time [s] with disturbances, sit down.
 
     Args:
-        job: Robot, "stand" or "walk", seed.
-        standing: Time [s] of standing or walking.
+        job: Robot, seed.
+        standing: Time [s] of standing.
     """
-    robot, walks, seed = str(job[0]), job[1] == "walk", int(job[2])
+    robot, seed = str(job[0]), int(job[1])
     rng = np.random.default_rng([seed, 12])
-    settings = random_settings(robot, seed, rng)
-    plant = Plant(robot, walking_settings(settings) if walks else settings)
+    plant = Plant(robot, random_settings(robot, seed, rng))
     state = plant.reset_lying(rng)
-    level = max(power_level(robot), WALKING_LEVEL if walks else 0)
-    supervisor = surefoot.Supervisor(
-        plant.robot, options=surefoot.SupervisorOptions(power_level=level)
-    )
+    options = surefoot.SupervisorOptions(power_level=power_level(robot))
+    supervisor = surefoot.Supervisor(plant.robot, options=options)
     why, ended = "", True
     stand_time = 0.0
-    last_disturbance = 1.0 - DISTURBANCE_PERIOD if walks else 0.0
-    requests = {Mode.PASSIVE: Mode.RISE} | ({Mode.STAND: Mode.WALK} if walks else {})
-    velocity = WalkVelocity()
+    last_disturbance = 0.0
+    requests = {Mode.PASSIVE: Mode.RISE}
     counts_at_arming: dict[str, int] = {}  # fault counts when the robot was last armed
     for tick in range(round((standing + MAX_TRANSITION_TIME) / 0.002)):
         if not supervisor.armed:
@@ -105,14 +93,13 @@ def run_healthy(job: Job, standing: float = STAND_TIME) -> HealthyRun:
             supervisor.arm()
         elif supervisor.mode in requests:
             supervisor.request(requests[supervisor.mode])
-        if supervisor.mode in (Mode.STAND, Mode.WALK):
+        if supervisor.mode == Mode.STAND:
             stand_time += 0.002
             if stand_time - last_disturbance > DISTURBANCE_PERIOD:
                 last_disturbance = stand_time
-                velocity = disturb_walk(plant, rng) if walks else disturb(plant, supervisor, rng)
-            supervisor.set_velocity(velocity)
+                disturb(plant, supervisor, rng)
             if stand_time > standing:
-                requests = {Mode.STAND: Mode.SIT, Mode.WALK: Mode.SIT}
+                requests = {Mode.STAND: Mode.SIT}
         elif stand_time > standing and supervisor.mode == Mode.PASSIVE:
             break
         state = plant.step(supervisor.update(state))
@@ -151,7 +138,7 @@ def trip_reason(
         return f"{plant.time:.1f} s: {supervisor.mode.name} after {', '.join(names)}"
     if supervisor.mode == Mode.SIT and not sitting_requested:
         return f"{plant.time:.1f} s: sits because a leg is blocked"
-    if supervisor.mode in (Mode.STAND, Mode.WALK) and plant.truth.fell:
+    if supervisor.mode == Mode.STAND and plant.truth.fell:
         return f"{plant.time:.1f} s: fell"
     return ""
 
@@ -175,35 +162,14 @@ def random_settings(robot: str, seed: int, rng: np.random.Generator) -> PlantSet
     )
 
 
-def walking_settings(settings: PlantSettings) -> PlantSettings:
-    """Return the settings with the errors of a walking robot, and without long delays."""
-    return replace(
-        settings, walking_sensors=True, soft_soles=True, leg_collisions=True, extra_delay=0.0
-    )
-
-
-def disturb_walk(plant: Plant, rng: np.random.Generator) -> WalkVelocity:
-    """Push the robot, and return a random velocity."""
-    degrees = float(rng.uniform(-180.0, 180.0))
-    impulse = float(rng.uniform(*WALK_PUSH_SHARE)) * plant.lip_push_limit(degrees)
-    plant.add_push(Push(degrees, impulse, time=plant.time + 2.0))
-    height = float(plant.data.qpos[2])
-    time = math.sqrt(height / 9.81)
-    vx, vy, yaw_rate = rng.uniform(WALK_LOW, WALK_HIGH) / time
-    return WalkVelocity(vx * height, vy * height, yaw_rate)
-
-
-def disturb(
-    plant: Plant, supervisor: surefoot.Supervisor, rng: np.random.Generator
-) -> WalkVelocity:
-    """Push the robot, and set a random body reference; return velocity 0."""
+def disturb(plant: Plant, supervisor: surefoot.Supervisor, rng: np.random.Generator) -> None:
+    """Push the robot, and set a random body reference."""
     degrees = float(rng.uniform(-180.0, 180.0))
     impulse = float(rng.uniform(*PUSH_SHARE)) * plant.lip_push_limit(degrees)
     plant.add_push(Push(degrees, impulse, time=plant.time + 2.0))
     x, y, height = rng.uniform([-0.02, -0.02, -0.04], [0.02, 0.02, 0.01])
     roll, pitch, yaw = np.radians(rng.uniform(-6.0, 6.0, 3))
     supervisor.set_body_reference(BodyReference(x, y, height, roll, pitch, yaw))
-    return WalkVelocity()
 
 
 def summary(robot: str, runs: list[HealthyRun]) -> dict[str, object]:

@@ -14,7 +14,7 @@ struct CallTiming {
   float wall = 0.0F;  ///< [us] wall time
   float cpu = 0.0F;   ///< [us] CPU time of this thread
   std::uint16_t iterations = 0;
-  /// 1: StandController used another fallback level than kSolved, or WholeBodyController had no
+  /// 1: the controller used another fallback level than kSolved, or WholeBodyController had no
   /// usable status.
   std::uint16_t failed = 0;
 };
@@ -24,6 +24,7 @@ struct Series {
   Series(std::string n, std::size_t capacity) : name(std::move(n)) { timings.reserve(capacity); }
   std::string name;
   std::vector<CallTiming> timings;
+  long walking = 0;      ///< number of timed calls in which the robot stepped
   long allocations = 0;  ///< number of heap allocations in all timed passes
   long page_faults = 0;  ///< number of page faults in all timed passes
   long first_allocations = 0, first_page_faults = 0;  ///< the same counts in the untimed first pass

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times the controller on recorded LowStates. `surefoot bench` runs it and reads its output.
 //   surefoot_tick_bench NAME.robot LOW_STATES OUT [--form F] [--passes N] [--period-us P]
-//                       [--references FILE]
+//                       [--references FILE] [--velocities FILE] [--gait G]
 // The file LOW_STATES has packed LowStates. The file of --references has one BodyReference for each
-// LowState; the controller receives the BodyReference before the LowState. The output file OUT
-// begins with one line of JSON that describes every series. The bench::CallTiming records of all
-// series follow in the same order.
+// LowState, and the file of --velocities one WalkVelocity; the controller receives them before the
+// LowState. With velocities it is a WalkController. The output file OUT begins with one line of
+// JSON that describes every series. The bench::CallTiming records of all series follow in the same
+// order.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -32,11 +33,29 @@ std::vector<Record> read_records(const char* path) {
   return records;
 }
 
+// Read a file with one record for each LowState.
+template <typename Record>
+std::vector<Record> read_requests(const std::string& option, const char* path, std::size_t count) {
+  std::vector<Record> records = read_records<Record>(path);
+  if (records.size() != count) {
+    throw Error(option + ": got " + std::to_string(records.size()) +
+                ", expected one per LowState: " + std::to_string(count));
+  }
+  return records;
+}
+
 QpForm to_form(const std::string& name) {
   for (const QpForm form : {QpForm::kAuto, QpForm::kCondensed, QpForm::kGeneral}) {
     if (name == to_string(form)) return form;
   }
   throw Error("--form: got '" + name + "', expected auto, condensed or general");
+}
+
+Gait to_gait(const std::string& name) {
+  for (const Gait gait : {Gait::kAuto, Gait::kTrot, Gait::kWalk}) {
+    if (name == to_string(gait)) return gait;
+  }
+  throw Error("--gait: got '" + name + "', expected auto, trot or walk");
 }
 
 bench::ReplayPlan read_plan(int argc, char** argv) {
@@ -47,12 +66,12 @@ bench::ReplayPlan read_plan(int argc, char** argv) {
     if (!std::strcmp(argv[k], "--form")) plan.form = to_form(argv[k + 1]);
     if (!std::strcmp(argv[k], "--passes")) plan.passes = std::max(1L, std::atol(argv[k + 1]));
     if (!std::strcmp(argv[k], "--period-us")) plan.period = std::max(1L, std::atol(argv[k + 1]));
+    if (!std::strcmp(argv[k], "--gait")) plan.gait = to_gait(argv[k + 1]);
     if (!std::strcmp(argv[k], "--references")) {
-      plan.references = read_records<BodyReference>(argv[k + 1]);
-      if (plan.references.size() != plan.low_states.size()) {
-        throw Error("--references: got " + std::to_string(plan.references.size()) +
-                    ", expected one per LowState: " + std::to_string(plan.low_states.size()));
-      }
+      plan.references = read_requests<BodyReference>(argv[k], argv[k + 1], plan.low_states.size());
+    }
+    if (!std::strcmp(argv[k], "--velocities")) {
+      plan.velocities = read_requests<WalkVelocity>(argv[k], argv[k + 1], plan.low_states.size());
     }
   }
   return plan;
@@ -72,8 +91,8 @@ void write_series(const char* path, const std::vector<bench::Series>& all, bool 
        << "\", \"memory_locked\": " << (locked ? "true" : "false") << ", \"series\": [";
   for (const bench::Series& s : all) {
     file << (&s == all.data() ? "" : ", ") << "{\"name\": \"" << s.name
-         << "\", \"n\": " << s.timings.size() << ", \"allocations\": " << s.allocations
-         << ", \"page_faults\": " << s.page_faults
+         << "\", \"n\": " << s.timings.size() << ", \"walking\": " << s.walking
+         << ", \"allocations\": " << s.allocations << ", \"page_faults\": " << s.page_faults
          << ", \"first_allocations\": " << s.first_allocations
          << ", \"first_page_faults\": " << s.first_page_faults
          << ", \"cpu\": " << (s.has_cpu_time ? "true" : "false") << "}";

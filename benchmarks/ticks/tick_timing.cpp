@@ -30,14 +30,10 @@ template <typename Pass>
 void run_passes(const ReplayPlan& plan, Series& series, Pass&& pass) {
   count_memory(series.first_allocations, series.first_page_faults, pass);
   series.timings.clear();
+  series.walking = 0;
   count_memory(series.allocations, series.page_faults, [&] {
     for (long k = 0; k < plan.passes; ++k) pass();
   });
-}
-
-// Set the recorded body reference of tick k; this is not timed.
-void apply_reference(const ReplayPlan& plan, std::size_t k, StandController& controller) {
-  if (!plan.references.empty()) controller.set_body_reference(plan.references[k]);
 }
 
 timespec add_microseconds(timespec time, long us) {
@@ -59,24 +55,25 @@ Series make_series(const char* name, const ReplayPlan& plan) {
   return make_series(name, static_cast<std::size_t>(plan.passes) * plan.low_states.size());
 }
 
-template <typename Controller>
-void record_result(const Controller& controller, bool solved, CallTiming& timing) {
-  timing.iterations = static_cast<std::uint16_t>(controller.solution().iterations);
-  timing.failed = solved ? 0 : 1;
+// Time one tick and add it to a series.
+void time_tick(ReplayController& controller, std::size_t tick, Series& series) {
+  CallTiming timing = time_call([&] { controller.update(tick); });
+  timing.iterations = static_cast<std::uint16_t>(controller.get().solution().iterations);
+  timing.failed = controller.solved() ? 0 : 1;
+  series.timings.push_back(timing);
+  series.walking += controller.walking() ? 1 : 0;
 }
 
 }  // namespace
 
 Series time_ticks(const ReplayPlan& plan) {
   Series series = make_series("tick", plan);
-  StandController controller(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
+  ReplayController controller(plan);
   run_passes(plan, series, [&] {
-    controller.reset();
+    controller.start();
     for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
-      apply_reference(plan, k, controller);
-      CallTiming timing = time_call([&] { controller.update(plan.low_states[k]); });
-      record_result(controller, controller.fallback_level() == FallbackLevel::kSolved, timing);
-      series.timings.push_back(timing);
+      controller.request(k);
+      time_tick(controller, k, series);
     }
   });
   return series;
@@ -84,31 +81,29 @@ Series time_ticks(const ReplayPlan& plan) {
 
 Series time_paced_ticks(const ReplayPlan& plan) {
   Series series = make_series("paced", kPacedTicks);
-  StandController controller(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
+  ReplayController controller(plan);
   timespec due{};
   clock_gettime(CLOCK_MONOTONIC, &due);
   count_memory(series.allocations, series.page_faults, [&] {
     for (std::size_t k = 0; k < std::min(kPacedTicks, plan.low_states.size()); ++k) {
       due = add_microseconds(due, plan.period);
       clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
-      apply_reference(plan, k, controller);
-      CallTiming timing = time_call([&] { controller.update(plan.low_states[k]); });
-      record_result(controller, controller.fallback_level() == FallbackLevel::kSolved, timing);
-      series.timings.push_back(timing);
+      controller.request(k);
+      time_tick(controller, k, series);
     }
   });
   return series;
 }
 
 Series time_state_to_torque(const ReplayPlan& plan) {
-  StandController stand(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
+  ReplayController whole(plan);
   std::vector<RobotState> states;
   std::vector<Reference> references;
   for (std::size_t k = 0; k < plan.low_states.size(); ++k) {
-    apply_reference(plan, k, stand);
-    stand.update(plan.low_states[k]);
-    states.push_back(stand.state());
-    references.push_back(stand.reference());
+    whole.request(k);
+    whole.update(k);
+    states.push_back(whole.get().state());
+    references.push_back(whole.get().reference());
   }
   Series series = make_series("state_to_torque", plan);
   WholeBodyController controller(plan.robot, plan.gains, WholeBodyOptions{plan.form});
@@ -116,8 +111,10 @@ Series time_state_to_torque(const ReplayPlan& plan) {
     controller.reset();
     for (std::size_t k = 0; k < states.size(); ++k) {
       CallTiming timing = time_call([&] { controller.update(states[k], references[k]); });
-      record_result(controller, is_usable(controller.solution().status), timing);
+      timing.iterations = static_cast<std::uint16_t>(controller.solution().iterations);
+      timing.failed = is_usable(controller.solution().status) ? 0 : 1;
       series.timings.push_back(timing);
+      series.walking += references[k].stepping ? 1 : 0;
     }
   });
   return series;
@@ -133,18 +130,18 @@ std::vector<Series> time_stages(const ReplayPlan& plan) {
     stages.push_back(make_series(to_string(static_cast<Stage>(k)), plan));
     stages.back().has_cpu_time = false;
   }
-  StandController controller(plan.robot, plan.gains, ControllerOptions{0.0, 0.0, plan.form});
+  ReplayController controller(plan);
   StageClock clock;
   // Pass 0 warms up; its timings are discarded at the start of pass 1.
   for (long pass = 0; pass <= passes; ++pass) {
-    controller.reset();
+    controller.start();
     for (Series& stage : stages) {
       if (pass == 1) stage.timings.clear();
     }
     for (std::size_t tick = 0; tick < plan.low_states.size(); ++tick) {
-      apply_reference(plan, tick, controller);
+      controller.request(tick);
       clock.start();
-      controller.update(plan.low_states[tick]);
+      controller.update(tick);
       clock.stop();
       for (std::size_t k = 0; k < kStages; ++k) {
         CallTiming timing;

@@ -229,7 +229,8 @@ void bind_runner(nb::module_& m) {
       .def_rw("remote", &RunOptions::remote,
               "True if the remote is used.\n\n"
               "Its sticks move the body of a standing robot and give the velocity of a walking\n"
-              "one, START begins and ends a walk, and button B damps.")
+              "one, START begins and ends a walk, SELECT chooses the next gait, and button B\n"
+              "damps.")
       .def_rw("connect_timeout", &RunOptions::connect_timeout,
               "Longest wait for the first valid LowState [s].")
       .def_rw("start", &RunOptions::start,

@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.mark.parametrize("robot", ["go1", "b1"])
 def test_healthy_robot_completes_a_cycle_without_a_false_trip(robot: str) -> None:
-    run = run_healthy((robot, "stand", 1), standing=8.0)
+    run = run_healthy((robot, 1), standing=8.0)
     assert run.ok, run.why
     assert run.seconds > 12.0
 
@@ -40,13 +40,13 @@ def test_fault_before_liftoff_counts_as_a_trip(
         return update(supervisor, state)
 
     monkeypatch.setattr(surefoot.Supervisor, "update", low_battery_update)
-    run = run_healthy(("go1", "stand", 1), standing=1.0)
+    run = run_healthy(("go1", 1), standing=1.0)
     assert run.ended and "after battery" in run.why
 
 
 def test_push_beyond_the_limits_counts_as_a_trip(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(false_trips, "PUSH_SHARE", (3.0, 4.0))
-    run = run_healthy(("go1", "stand", 1), standing=8.0)
+    run = run_healthy(("go1", 1), standing=8.0)
     assert "damping for" in run.why or "fell" in run.why
     result = summary("go1", [run])
     assert list(result["trips"]) == [1]
@@ -55,13 +55,7 @@ def test_push_beyond_the_limits_counts_as_a_trip(monkeypatch: pytest.MonkeyPatch
 
 def test_unfinished_run_is_reported_separately_from_trips(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(false_trips, "MAX_TRANSITION_TIME", 0.0)
-    run = run_healthy(("go1", "stand", 1), standing=0.5)  # [s]; too short to get up
+    run = run_healthy(("go1", 1), standing=0.5)  # [s]; too short to get up
     result = summary("go1", [run])
     assert not result["trips"] and list(result["unfinished"]) == [1]
     assert "0 false trips, 1 did not end" in text(result)
-
-
-def test_healthy_robot_walks_with_random_velocities_and_pushes_without_a_false_trip() -> None:
-    run = run_healthy(("go1", "walk", 1), standing=8.0)
-    assert run.ok, run.why
-    assert run.seconds > 12.0

@@ -336,6 +336,44 @@ def test_udp_robot_stands_with_guarded_gains(tmp_path: Path) -> None:
         process.wait(timeout=20)
 
 
+def test_udp_robot_walks_while_the_page_is_watched(tmp_path: Path) -> None:
+    process, port = start_robot()
+    address = RobotAddress("127.0.0.1", port, "go1-v3.8", power_level=5)
+    robot = UdpSession(describe_robot("go1"), address)
+    loop = SessionThread(robot, lambda _: None)
+    loop.start()
+    velocity = surefoot.WalkVelocity(vx=0.4)
+    try:
+        wait_until(lambda: robot.healthy)
+        loop.post(lambda: robot.set_velocity(velocity))
+        wait_until(lambda: robot.velocity_version == 1)  # sliders alone do not begin a walk
+        robot.damp()
+        wait_until(lambda: "damping" in robot.status)
+        robot.request_walk()
+        wait_until(lambda: "walk refused: " in robot.status)
+        robot.rearm()
+        wait_until(lambda: robot.healthy and "refused" not in robot.status)
+        time.sleep(1.0)  # until the torques have faded in
+        robot.request_walk()
+        wait_until(lambda: robot.runner_status.phase == "walking")
+        start = robot.runner_status.q[0]
+        loop.post(lambda: robot.set_velocity(velocity))
+        wait_until(lambda: robot.runner_status.q[0] > start + 0.5)
+        assert robot.healthy and "Command 0.40, 0.00 m/s" in robot.walk_text()
+        loop.post(lambda: robot.set_gait(surefoot.Gait.TROT))
+        wait_until(lambda: "gait trot" in robot.walk_text())
+        robot.attended = False
+        wait_until(lambda: "Command 0.00, 0.00 m/s" in robot.walk_text())
+        robot.request_stand()
+        wait_until(lambda: robot.runner_status.phase == "standing")
+        wait_until(lambda: robot.velocity_version == 2)
+    finally:
+        loop.stop()
+        robot.close()
+        process.send_signal(signal.SIGTERM)
+        process.wait(timeout=20)
+
+
 def test_robot_of_another_generation_is_refused(tmp_path: Path) -> None:
     process, port = start_robot("--robot", "a1")
     robot = UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", port, "go1-v3.8"))

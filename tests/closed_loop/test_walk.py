@@ -136,3 +136,17 @@ def test_walk_controller_at_velocity_zero_sends_the_bytes_of_a_stand_controller(
         assert walk.update(state).to_bytes() == command.to_bytes()
         state = plant.step(command)
     assert not walk.walking
+
+
+def test_payload_off_centre_does_not_tilt_a_robot_that_turns() -> None:
+    settings = WalkSettings(duration=5.0, velocities=(parse_velocity("0.3,0,1@0.6"),))
+    plant = replace(
+        settings.plant,
+        physics_dt=0.001,
+        foot_force="est",
+        payload_kg=0.3 * surefoot.load_robot("go1").mass,
+        payload_position=(0.0, 0.05, 0.05),
+    )
+    summary = summarise(run_walk(replace(settings, plant=plant)))
+    assert not summary["fell"]
+    assert summary["roll_pitch_rms_deg"][0] < 1.0

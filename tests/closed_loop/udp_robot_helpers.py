@@ -36,6 +36,7 @@ class UdpLinkedRobot:
     """
 
     def __init__(self, name: str = "go1", host: str = "127.0.0.1", **options: object) -> None:
+        options = {"power_level": power_level(name), "start": Start.LYING, **options}
         self.port = InterruptiblePort(host, 0)
         settings = VirtualRobotSettings(robot=name, lying=True, seed=SEEDS[name])
         self.robot = VirtualRobot(settings, self.port)
@@ -43,7 +44,7 @@ class UdpLinkedRobot:
             self.robot.plant.robot,
             *self.port.address,
             settings.generation,
-            options=RunOptions(power_level=power_level(name), start=Start.LYING, **options),
+            options=RunOptions(**options),
             real_robot=host != "127.0.0.1",
         )
         self.damped: list[bool] = []

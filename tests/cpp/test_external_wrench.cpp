@@ -83,6 +83,17 @@ BOOST_FIXTURE_TEST_CASE(wrench_of_a_push_is_not_kept_while_feet_step, PayloadFix
   BOOST_TEST((payload.force() - payload_force).norm() < 1e-3);
 }
 
+BOOST_FIXTURE_TEST_CASE(moment_of_a_payload_turns_with_a_stepping_robot, PayloadFixture) {
+  const Vector3 force(0.0, 0.0, -20.0), left(0.0, 0.05, 0.0);
+  run(10.0, balancing_forces(force, left.cross(force)));
+  state.q.segment<4>(3) = exp_so3(0.5 * M_PI * Vector3::UnitZ()).coeffs();
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  run(kPeriod, FeetMatrix::Zero(), true, true);
+  BOOST_TEST((payload.force() - force).norm() < 1e-3);
+  const Vector3 left_after_the_turn(-0.05, 0.0, 0.0);
+  BOOST_TEST((payload.moment() - left_after_the_turn.cross(force)).norm() < 1e-3);
+}
+
 BOOST_FIXTURE_TEST_CASE(constant_wrench_at_the_start_is_estimated_in_one_tick, PayloadFixture) {
   const Vector3 force(0.0, 2.0, -20.0), moment(1.0, -2.0, 0.0);
   run(kPeriod, balancing_forces(force, moment));

@@ -122,6 +122,24 @@ BOOST_AUTO_TEST_CASE(touchdowns_of_two_pairs_are_steps) {
   BOOST_TEST((detector.rests() && !detector.steps()));
 }
 
+BOOST_AUTO_TEST_CASE(soles_count_as_moving_for_300_ms_after_the_last_planned_step) {
+  StepDetector detector;
+  const auto run = [&](double seconds) {
+    for (double t = 0.0; t < seconds - 0.5 * kPeriod; t += kPeriod)
+      detector.update(Eigen::Vector4d::Ones(), kPeriod);
+  };
+  run(1.0);
+  BOOST_TEST((detector.rests() && !detector.stepped_lately()));
+  detector.set_planned(true);
+  BOOST_TEST((detector.steps() && detector.stepped_lately() && !detector.rests()));
+  run(0.1);
+  detector.set_planned(false);
+  run(0.29);
+  BOOST_TEST((!detector.steps() && detector.stepped_lately()));
+  run(0.02);
+  BOOST_TEST(!detector.stepped_lately());
+}
+
 BOOST_AUTO_TEST_CASE(one_impact_is_no_step) {
   StepDetector detector;
   const auto run = [&](const Eigen::Vector4d& contact, double seconds) {

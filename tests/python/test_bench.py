@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import surefoot
 from surefoot.bench import BenchSettings, record, tick_program, timing_statistics
+from surefoot.bench.problems import SCENARIOS
 from surefoot.cli import main
 from surefoot.system import machine
 
@@ -109,6 +110,35 @@ def test_recorded_body_references_are_replayed():
         surefoot.Error, match="references: got 4999, expected one per LowState: 5000"
     ):
         tick_program.run_tick_program(short, surefoot.QpForm.AUTO, 100)
+
+
+@pytest.mark.parametrize(("scenario", "duration"), [("trot", 3.5), ("walk", 1.5)])
+def test_recorded_walk_is_replayed_step_by_step(monkeypatch, scenario, duration):
+    monkeypatch.setitem(SCENARIOS, scenario, replace(SCENARIOS[scenario], duration=duration))
+    recording = record(BenchSettings(), scenario)
+    assert not recording.fell and recording.walking_ticks > 0.8 * len(recording.low_states)
+    series, _ = tick_program.run_tick_program(
+        recording, surefoot.QpForm.AUTO, 2 * len(recording.low_states)
+    )
+    for name in ("tick", "state_to_torque"):
+        assert series[name].walking == 2 * recording.walking_ticks
+        assert (series[name].failures, series[name].allocations) == (0, 0)
+    short = replace(recording, velocities=recording.velocities[1:])
+    with pytest.raises(surefoot.Error, match=r"--velocities: got \d+, expected one per LowState"):
+        tick_program.run_tick_program(short, surefoot.QpForm.AUTO, 100)
+
+
+def test_bench_compares_walking_ticks_with_standing_ones(monkeypatch, capsys, tmp_path):
+    for scenario in ("quiet", "walk"):
+        monkeypatch.setitem(SCENARIOS, scenario, replace(SCENARIOS[scenario], duration=1.0))
+    path = tmp_path / "bench.json"
+    assert main([*SHORT, "--scenario", "walk", "--json", str(path)]) == 0
+    assert "the robot steps in" in capsys.readouterr().out
+    scenarios = json.loads(path.read_text())["scenarios"]
+    p50 = {name: scenarios[name]["tick"]["cpu_us"]["p50"] for name in scenarios}
+    assert scenarios["walk"]["tick_over_quiet"] == pytest.approx(p50["walk"] / p50["quiet"])
+    assert scenarios["quiet"]["tick_over_quiet"] == 1.0
+    assert scenarios["quiet"]["tick"]["walking"] == 0 < scenarios["walk"]["tick"]["walking"]
 
 
 def test_percentiles_use_all_calls():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What surefoot run prints about the readiness of a robot for arming."""
+"""Typed lines of surefoot run, and what it prints about the readiness of a robot for arming."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import pytest
 import surefoot
-from surefoot import Mode
-from surefoot.cli.run_operator import ArmingMonitor
+from surefoot import Gait, Mode
+from surefoot.cli.run_operator import ArmingMonitor, Operator
 
 
 def snapshot(phase: str, mode: Mode, ready: bool, armed: bool) -> SimpleNamespace:
@@ -27,3 +27,17 @@ def test_silent_robot_is_not_reported_as_ready(mode: Mode) -> None:
     assert said == []
     readiness.update(snapshot("damping", Mode.DAMPING, ready=True, armed=False), False)
     assert said == ["   1.00 s ready"]
+
+
+def test_typed_gait_is_set_and_an_unknown_one_is_refused() -> None:
+    said: list[str] = []
+    gaits: list[Gait] = []
+    runner = SimpleNamespace(set_gait=gaits.append)
+    operator = Operator(runner, surefoot.load_robot("go1"), True, said.append)  # type: ignore[arg-type]
+    walking = snapshot("walking", Mode.WALK, ready=True, armed=True)
+    for line in ("gait walk", "gait  auto", "gait", "gait trott"):
+        operator.handle_line(line, walking)  # type: ignore[arg-type]
+    assert gaits == [Gait.WALK, Gait.AUTO]
+    assert said[:2] == ["   1.00 s gait walk", "   1.00 s gait auto"]
+    assert said[2] == "   1.00 s gait: got ''; valid names: auto, trot, walk"
+    assert "gait: got 'trott'" in said[3]

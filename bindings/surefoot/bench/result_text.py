@@ -7,7 +7,7 @@ from typing import Any
 from surefoot.bench.timing_statistics import PERCENTILES
 
 ROW_MEANINGS = {
-    "tick": "LowState to LowCmd: StandController::update()",
+    "tick": "LowState to LowCmd: update() of StandController or WalkController",
     "state_to_torque": "WholeBodyController::update() alone",
     "paced": "LowState to LowCmd once per period for one second, sleeping in between",
     "null": "an idle loop as long as a tick: its tail shows the jitter of the machine",
@@ -27,6 +27,8 @@ def bench_text(b: dict[str, Any]) -> str:
     for name, scenario in b["scenarios"].items():
         fell = "; the robot falls at the end" if scenario["fell"] else ""
         lines += ["", f"{name}: {scenario['reports']} LowStates{fell}"]
+        if scenario["tick"]["walking"]:
+            lines.append("  " + _walking(scenario))
         lines += _table([_HEADER, *(_row(row, scenario[row]) for row in ROW_MEANINGS)])
         lines.append("  " + _stages(scenario["stages_wall_us"]))
         lines.append("  " + _first_pass(scenario["tick"]["first_pass"]))
@@ -90,6 +92,12 @@ def _table(rows: list[list[str]]) -> list[str]:
         )
         lines.append("  ".join(["  " + name, *numbers, what]).rstrip())
     return lines
+
+
+def _walking(scenario: dict[str, Any]) -> str:
+    tick, ratio = scenario["tick"], scenario["tick_over_quiet"]
+    compared = "" if ratio is None else f"; median CPU time {ratio:.2f} of that of quiet"
+    return f"the robot steps in {tick['walking']} of {tick['wall_us']['n']} ticks{compared}"
 
 
 def _first_pass(first: dict[str, int]) -> str:

@@ -13,6 +13,7 @@ from surefoot.bench.timing_statistics import series_statistics
 from surefoot.system.machine import describe_machine
 
 WHOLE_CALLS = ("tick", "state_to_torque", "null")
+STANDING = "quiet"  # scenario to whose tick the ticks of the others are compared
 PACED = "paced"
 _NO_PEERS_REASON = "not requested: use --peers"
 
@@ -53,14 +54,16 @@ def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = 
             recordings[scenario], settings.form, settings.ticks
         )
     first = next(iter(recordings.values()))
+    scenarios = {
+        name: _scenario_summary(recordings[name], series) for name, series in all_series.items()
+    }
+    _add_ratios(scenarios)
     figures = {
         "robot": first.robot.name,
         "form": settings.form.name.lower(),
         "rate": settings.rate,
         "seed": settings.seed,
-        "scenarios": {
-            name: _scenario_summary(recordings[name], series) for name, series in all_series.items()
-        },
+        "scenarios": scenarios,
         **{f"ratio_{name}": None for name in RATIOS},
         "ratio_reason": _NO_PEERS_REASON,
         "machine": {**describe_machine(), **program},
@@ -85,6 +88,15 @@ def _scenario_summary(recording: Recording, series: dict[str, Series]) -> dict[s
         PACED: series_statistics(series[PACED], len(series[PACED].wall)),
         "stages_wall_us": stages,
     }
+
+
+def _add_ratios(scenarios: dict[str, Any]) -> None:
+    """Add the ratio of the median CPU time of a tick to that of the scenario STANDING."""
+    standing = scenarios.get(STANDING)
+    for scenario in scenarios.values():
+        p50 = scenario["tick"]["cpu_us"]["p50"]
+        ratio = None if standing is None else p50 / standing["tick"]["cpu_us"]["p50"]
+        scenario[f"tick_over_{STANDING}"] = ratio
 
 
 def _stage_summary(series: Series, tick_count: int) -> dict[str, float]:

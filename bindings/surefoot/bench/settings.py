@@ -13,7 +13,7 @@ from surefoot.stand.simulation_settings import check_rate
 DEFAULT_TICKS = 20_000
 # Sanity limits.
 MIN_TICKS, MAX_TICKS = 100, 2_000_000
-DEFAULT_SCENARIOS = ("quiet", "motion", "push50", "push80", "weak")
+DEFAULT_SCENARIOS = ("quiet", "motion", "push50", "push80", "weak", "trot", "walk")
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 import surefoot
-from surefoot._core import BodyReference, Error, QpForm
+from surefoot._core import BodyReference, Error, QpForm, WalkVelocity
 from surefoot.bench.recording import Recording
 
 PROGRAM = Path(surefoot.__path__[0]) / "bin" / "surefoot_tick_bench"
@@ -34,8 +34,9 @@ class Series:
         wall: (n,) wall time [us].
         cpu: (n,) CPU time of the thread [us]; None where only the wall clock was read.
         iterations: (n,) iterations of the solver.
-        failures: Number of failed calls: StandController used another fallback level than SOLVED,
-            or WholeBodyController had no usable status.
+        failures: Number of failed calls: the controller used another fallback level than SOLVED, or
+            WholeBodyController had no usable status.
+        walking: Number of calls in which the robot stepped.
         allocations: Number of heap allocations in all calls.
         page_faults: Number of page faults in all calls.
         first_allocations: Number of heap allocations in the first pass, which is not timed.
@@ -46,6 +47,7 @@ class Series:
     cpu: npt.NDArray[np.float32] | None
     iterations: npt.NDArray[np.uint16]
     failures: int
+    walking: int
     allocations: int
     page_faults: int
     first_allocations: int
@@ -75,6 +77,10 @@ def run_tick_program(
             references = Path(folder) / "references"
             np.array([_reference_row(r) for r in recording.references]).tofile(references)
             arguments += ["--references", references]
+        if recording.velocities:
+            velocities = Path(folder) / "velocities"
+            np.array([_velocity_row(v) for v in recording.velocities]).tofile(velocities)
+            arguments += ["--velocities", velocities, "--gait", recording.gait.name.lower()]
         try:
             process = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True)
         except OSError as problem:
@@ -89,6 +95,10 @@ def run_tick_program(
 
 def _reference_row(r: BodyReference) -> list[float]:
     return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # order in the executable's input
+
+
+def _velocity_row(v: WalkVelocity) -> list[float]:
+    return [v.vx, v.vy, v.yaw_rate]  # order in the executable's input
 
 
 def _read_output(path: Path) -> tuple[dict[str, Series], dict[str, Any]]:
@@ -108,6 +118,7 @@ def _series(entry: dict[str, Any], samples: npt.NDArray[Any]) -> Series:
         samples["cpu"] if entry["cpu"] else None,
         samples["iterations"],
         int(samples["failed"].sum()),
+        entry["walking"],
         entry["allocations"],
         entry["page_faults"],
         entry["first_allocations"],

@@ -66,6 +66,7 @@ def series_statistics(series: Series, ticks_per_pass: int) -> dict[str, Any]:
         "histogram_us": histogram(series.wall),
         "iterations": {str(k): iterations[k] for k in sorted(iterations)},
         "failures": series.failures,
+        "walking": series.walking,
         "allocations": series.allocations,
         "page_faults": series.page_faults,
         "first_pass": {

@@ -26,7 +26,7 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
         "--scenario",
         action="append",
         metavar="NAME",
-        help="scenario to time; repeatable (the default five)",
+        help="scenario to time; repeatable (the default seven)",
     )
     add_form_option(parser)
     add(

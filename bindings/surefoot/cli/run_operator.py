@@ -4,30 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from surefoot._core import (
-    ArmingCheck,
-    Error,
-    FaultReaction,
-    Mode,
-    RequestStatus,
-    Robot,
-    Runner,
-    RunSnapshot,
-    fault_table,
-)
+from surefoot._core import Error, Mode, RequestStatus, Robot, Runner, RunSnapshot
+from surefoot.cli.gait_argument import read_gait
 from surefoot.cli.run_keyboard import KeyboardLines
 from surefoot.cli.run_velocity import VELOCITY_HELP, KeyVelocity
 from surefoot.messages.low_state_layout import LEGS
+from surefoot.reports.refusal_reason import is_failing, refusal_reason
 from surefoot.system.terminal import has_keyboard
 
-_REFUSAL_REASONS = {
-    RequestStatus.NO_STATE: "no valid LowState arrives",
-    RequestStatus.NOT_ARMED: "not armed: a + Enter arms",
-    RequestStatus.LATCHED: "damping is latched: a + Enter arms again",
-    RequestStatus.BUSY: "busy: another request is pending, the robot stops walking, or torques "
-    "fade; try again",
-    RequestStatus.CANNOT_WALK: "the motors cannot carry this robot on two feet",
-}
 _NEXT_KEY = {
     Mode.PASSIVE: "u rises",
     Mode.RISE: "d sits down",
@@ -45,7 +29,7 @@ def key_help(rise: bool) -> str:
     arms = "a + Enter arms" if rise else "a + Enter takes the robot over again in its present pose"
     return (
         f"x + Enter damps, d sits down, {arms}, u rises, w walks, s stops, {VELOCITY_HELP}, "
-        "q prints joint angles"
+        "gait auto|trot|walk chooses the gait, q prints joint angles"
     )
 
 
@@ -108,10 +92,21 @@ class Operator:
             self._print_refusal("standing", self._runner.request(Mode.STAND), snapshot)
         elif word == "q":
             self._print_line(f"{snapshot.time:7.2f} s joints [rad] {joints_text(snapshot)}")
+        elif word.split()[0] == "gait":
+            self._set_gait(" ".join(word.split()[1:]), snapshot)
         elif not self._change_velocity(word, snapshot):
             self._print_line(
                 f"{snapshot.time:7.2f} s '{word}': unknown key: {key_help(self._rise)}"
             )
+
+    def _set_gait(self, name: str, snapshot: RunSnapshot) -> None:
+        """Set the gait of the mode WALK and print it, or print which gaits there are."""
+        try:
+            self._runner.set_gait(read_gait("gait", name))
+        except Error as problem:
+            self._print_line(f"{snapshot.time:7.2f} s {problem}")
+            return
+        self._print_line(f"{snapshot.time:7.2f} s gait {name}")
 
     def _change_velocity(self, line: str, snapshot: RunSnapshot) -> bool:
         """Change the velocity and print it; return whether the line is about the velocity."""
@@ -129,26 +124,14 @@ class Operator:
     def _print_refusal(self, what: str, status: RequestStatus, snapshot: RunSnapshot) -> None:
         if status == RequestStatus.ACCEPTED:
             return
-        why = _REFUSAL_REASONS.get(status, "")
-        if status == RequestStatus.NOT_READY:
-            why = self._not_ready(snapshot)
-        if status == RequestStatus.OUT_OF_ORDER:
-            why = f"not while {snapshot.phase}: {_NEXT_KEY[snapshot.mode]}"
+        why = refusal_reason(status, snapshot)
+        hint = {
+            RequestStatus.NOT_ARMED: "a + Enter arms",
+            RequestStatus.LATCHED: "a + Enter arms again",
+            RequestStatus.OUT_OF_ORDER: _NEXT_KEY[snapshot.mode],
+        }.get(status)
+        why = why if hint is None else f"{why}: {hint}"
         self._print_line(f"{snapshot.time:7.2f} s {what} refused: {why}")
-
-    def _not_ready(self, snapshot: RunSnapshot) -> str:
-        stops = {
-            info.id: info.name
-            for info in fault_table()
-            if info.stops_walking or info.reaction == FaultReaction.SIT
-        }
-        active = [stops[id] for id in snapshot.faults.active if id in stops]
-        if snapshot.mode != Mode.PASSIVE and active:
-            return f"fault {', '.join(active)}"
-        failing = [name for name, check in snapshot.arming.checks.items() if is_failing(check)]
-        if failing:
-            return f"arming checks fail: {', '.join(failing)}"
-        return f"arming checks have passed for {snapshot.arming.passed_for:.1f} s, expected 1 s"
 
 
 def joints_text(snapshot: RunSnapshot) -> str:
@@ -191,8 +174,3 @@ class ArmingMonitor:
         if snapshot.arming.ready and not (self._ready and self._armed == snapshot.armed):
             self._print_line(f"{snapshot.time:7.2f} s ready{', armed' if snapshot.armed else ''}")
         self._failing, self._ready, self._armed = failing, snapshot.arming.ready, snapshot.armed
-
-
-def is_failing(check: ArmingCheck) -> bool:
-    """Return whether a check prevents arming."""
-    return bool(check.applies and not check.passed)

@@ -6,14 +6,14 @@ import argparse
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from surefoot._core import Error, Gait
+from surefoot._core import Error
+from surefoot.cli.gait_argument import read_gait
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
 from surefoot.cli.output_files import check_json_path, check_report_folder
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.simulation_arguments import parse_numbers, read_simulation
 from surefoot.cli.simulation_output import write_outputs
-from surefoot.robot.robot_toml import suggest
 
 if TYPE_CHECKING:
     from surefoot.sim import Terrain
@@ -68,7 +68,7 @@ def read_settings(arguments: argparse.Namespace) -> WalkSettings:
     return WalkSettings(
         **simulation,
         velocities=velocities,
-        gait=read_gait(arguments.gait),
+        gait=read_gait("--gait", arguments.gait),
         lost_frames=arguments.lost_frames,
     )
 
@@ -89,12 +89,3 @@ def read_terrain(arguments: argparse.Namespace) -> Terrain:
         block_height=arguments.blocks,
     )
     return terrain if terrain.is_flat else replace(terrain, seed=arguments.seed)
-
-
-def read_gait(text: str) -> Gait:
-    """Return the Gait that --gait names; raise Error if the name is unknown."""
-    names = {gait.name.lower(): gait for gait in Gait}
-    if text not in names:
-        valid = ", ".join(names)
-        raise Error(f"--gait: got '{text}'{suggest(text, names)}; valid names: {valid}")
-    return names[text]

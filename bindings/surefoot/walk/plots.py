@@ -58,7 +58,7 @@ def draw_footsteps(log: WalkLog) -> Figure:
     margin = 0.1 * float(np.max(high - low))
     ax.set_xlim(low[0] - margin, high[0] + margin)  # a terrain may be wider
     ax.set_ylim(low[1] - margin, high[1] + margin)
-    ax.set_aspect("equal", adjustable="datalim")
+    ax.set_aspect("equal")  # keeps the limits, and makes the box fit
     ax.set_xlabel("x, forward at the start [m]")
     ax.set_ylabel("y, to the left [m]")
     figure.legend(loc="outside upper right", ncols=6)

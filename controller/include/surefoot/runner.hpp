@@ -22,7 +22,7 @@ struct RunOptions {
   /// Start::kStanding.
   int power_level = 1;
   /// true: the sticks of the remote move the body of a standing robot and give the velocity of a
-  /// walking one, START begins and ends a walk, and button B damps
+  /// walking one, START begins and ends a walk, SELECT chooses the next gait, and button B damps
   bool remote = true;
   double connect_timeout = 5.0;  ///< [s] longest wait for the first valid LowState
   /// State of the robot at the start. kStanding: the runner takes over the robot at once. kLying:

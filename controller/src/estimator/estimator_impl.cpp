@@ -56,9 +56,9 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
-  imu_input = imu_filter_input.update(
-      gains, imu, filter, dynamics,
-      {state.contact, feet_step(), !planner_steps && step_detector.rests()}, dt);
+  imu_input =
+      imu_filter_input.update(gains, imu, filter, dynamics,
+                              {state.contact, step_detector.steps(), step_detector.rests()}, dt);
   if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
   filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt),
                  sole_load.process_variance(robot.config().foot_radius, dt));
@@ -68,7 +68,8 @@ void StateEstimator::Impl::predict(double dt) noexcept {
 }
 
 FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
-  FootContactState out{state.contact, loads, slip.speed(), feet_step(), filter.rejected_feet()};
+  FootContactState out{state.contact, loads, slip.speed(), step_detector.steps(),
+                       filter.rejected_feet()};
   // Without new values of the IMU, the body moves and not the feet.
   if (!imu_is_fresh()) out.speed.setZero();
   // A wrong velocity of the base makes all contact points seem to move.
@@ -108,7 +109,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
   foot_motion.update_velocity(dynamics, dt);
-  slip.update(gains, {v_contact, state.contact, loads, normal, feet_step()}, dt);
+  slip.update(gains, {v_contact, state.contact, loads, normal, step_detector.stepped_lately()}, dt);
   clearance.update(dynamics, filter, slip.velocity(), state.contact, contact.loaded_by_forces(),
                    normal, dt);
   ContactSignals signals;
@@ -121,20 +122,21 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   signals.speed = slip.excess_speed();
   // The feet of a robot that steps land at other heights while some of them are in the air, so the
   // height of a foot above its last place says nothing about its contact.
-  if (!feet_step()) signals.clearance = clearance.clearance();
+  if (!step_detector.steps()) signals.clearance = clearance.clearance();
   signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
-  signals.steps = feet_step();
+  signals.steps = step_detector.steps();
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);
   const double travelled = v_base.norm() > kMinTravelSpeed ? dt * v_base.norm() : 0.0;
-  friction.update({v_contact, leg_forces.forces(), state.contact, normal, travelled, feet_step()},
+  friction.update({v_contact, leg_forces.forces(), state.contact, normal, travelled,
+                   step_detector.stepped_lately()},
                   dt);
   state.friction = friction.share() * slip.friction(gains);
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),
-      feet_step(), dt);
+      step_detector.steps(), dt);
 }
 
 void StateEstimator::Impl::correct(double dt) noexcept {
@@ -147,7 +149,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   feet.load = sole_load.load();
   feet.normal_variance = sole_load.sink_variance(filter.sole_compliance(), dt);
   feet.load_changes = sole_load.changes();
-  feet.steps = feet_step();
+  feet.steps = step_detector.steps();
   const FeetMatrix rolling_lever =
       (-kRollingShare * normal * sole_sink().transpose()).colwise() + feet.lever;
   filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, rolling_lever, dt));
@@ -208,11 +210,11 @@ bool StateEstimator::Impl::supported() const noexcept {
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   // The forces of feet that land and lift off are not known well enough to weigh a payload.
-  payload.update(gains, dynamics, leg_forces.forces(), supported, feet_step(), dt);
+  payload.update(gains, dynamics, leg_forces.forces(), supported, step_detector.steps(), dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
-  if (planner_steps) return push.reset();
+  if (step_detector.planned()) return push.reset();
   // `a` is the planned classical acceleration of the base origin, base axes. It includes the effect
   // of planned_push, the push that was estimated when the plan was made. The feet do not cause this
   // part: a_feet = a - planned_push / m. So a_measured - a_feet = unplanned + planned_push / m.

@@ -50,8 +50,6 @@ struct StateEstimator::Impl {
   Eigen::Vector4d sole_sink() const noexcept { return filter.sole_compliance() * sole_load.load(); }
   /// Return whether the IMU has measured the motion of this tick.
   bool imu_is_fresh() const noexcept { return imu.w_age == 1 && imu.f_age <= 2; }
-  /// Return whether the robot steps, by its planner or by its contacts.
-  bool feet_step() const noexcept { return planner_steps || step_detector.steps(); }
   bool attitude_diverged() const noexcept;
 
   Robot robot;
@@ -79,7 +77,6 @@ struct StateEstimator::Impl {
   Vector12 planned_tau = Vector12::Zero();         // [N.m] SDK motor order
   Vector3 planned_push = Vector3::Zero();  // [N] world axes; the push that the plan includes
   bool has_plan = false;
-  bool planner_steps = false;  // the planner lets feet step
   RobotState state;
   Vector12 tau_est = Vector12::Zero();  // [N.m]; tau_est, q and dq are in SDK motor order
   Vector12 q = Vector12::Zero(), dq = Vector12::Zero();

@@ -74,7 +74,7 @@ StateEstimator::Impl::Impl(const Robot& r)
       state(r.nq(), r.nv()) {}
 
 void StateEstimator::Impl::reset() noexcept {
-  started = has_plan = planner_steps = false;
+  started = has_plan = false;
   planned_acceleration.setZero();
   planned_tau.setZero();
   planned_push.setZero();

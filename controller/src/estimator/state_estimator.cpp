@@ -56,7 +56,9 @@ void StateEstimator::set_planned_motion(const Vector6& a_base, const Vector12& t
   impl_->has_plan = true;
 }
 
-void StateEstimator::set_stepping(bool stepping) noexcept { impl_->planner_steps = stepping; }
+void StateEstimator::set_stepping(bool stepping) noexcept {
+  impl_->step_detector.set_planned(stepping);
+}
 
 void StateEstimator::reset() noexcept { impl_->reset(); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "reference/support_polygon.hpp"
 
@@ -35,6 +36,57 @@ double swing_share(const NextSwing& swing, double time, double shift_time) noexc
   return std::max(1.0 - outside / ramp, 0.0);
 }
 
+// The planned ZMP relative to that of the body trajectory, as a function of time.
+class PlannedZmp {
+ public:
+  PlannedZmp(const BodySway::Input& input, double time_unit) noexcept
+      : input_(input), zmp_(input.p - time_unit * time_unit * input.a) {}
+
+  Eigen::Vector2d operator()(double time) noexcept {
+    const Eigen::Vector2d base = zmp_ + time * input_.v;
+    std::array<double, kLegs> share;
+    double sum = 0.0;
+    for (int leg = 0; leg < kLegs; ++leg) {
+      share[leg] = swing_share(input_.swings[leg], time, input_.shift_time);
+      sum += share[leg];
+    }
+    Eigen::Vector2d zmp = Eigen::Vector2d::Zero();
+    for (int leg = 0; leg < kLegs; ++leg) {
+      if (share[leg] == 0.0) continue;
+      const Eigen::Vector2d inside = triangle(leg, time).nearest_inside(base, input_.margin);
+      zmp += share[leg] / std::max(sum, 1.0) * (inside - base);
+    }
+    return zmp;
+  }
+
+ private:
+  // Return the support triangle without a foot. It changes only when another foot lifts off, so
+  // that most samples of the preview use the one before.
+  const SupportPolygon& triangle(int without, double time) noexcept {
+    unsigned lifted = 0;  // one bit per foot
+    std::array<bool, kLegs> others = {true, true, true, true};
+    others[without] = false;
+    for (int leg = 0; leg < kLegs; ++leg) {
+      if (others[leg] && time >= input_.swings[leg].begin) lifted |= 1U << leg;
+    }
+    if (!triangles_[without] || lifted_[without] != lifted) {
+      FeetMatrix feet = FeetMatrix::Zero();
+      for (int leg = 0; leg < kLegs; ++leg) {
+        const NextSwing& swing = input_.swings[leg];
+        feet.col(leg).head<2>() = (lifted >> leg & 1U) != 0 ? swing.to : swing.from;
+      }
+      triangles_[without].emplace(feet, others);
+      lifted_[without] = lifted;
+    }
+    return *triangles_[without];
+  }
+
+  const BodySway::Input& input_;
+  Eigen::Vector2d zmp_;  // of the body trajectory at time 0
+  std::array<std::optional<SupportPolygon>, kLegs> triangles_;
+  std::array<unsigned, kLegs> lifted_{};
+};
+
 }  // namespace
 
 void BodySway::update(const Input& input, double dt) noexcept {
@@ -42,12 +94,13 @@ void BodySway::update(const Input& input, double dt) noexcept {
   // Integrate the DCM backwards over the preview: dxi/dt = omega (xi - zmp).
   const double kept = std::exp(-kSampleTime);
   const double step = kSampleTime * size_.time;
-  Eigen::Vector2d planned_dcm = planned_zmp(input, kSamples * step);
+  PlannedZmp planned_zmp(input, size_.time);
+  Eigen::Vector2d planned_dcm = planned_zmp(kSamples * step);
   for (int k = kSamples - 1; k >= 0; --k) {
-    planned_dcm = kept * planned_dcm + (1.0 - kept) * planned_zmp(input, (k + 0.5) * step);
+    planned_dcm = kept * planned_dcm + (1.0 - kept) * planned_zmp((k + 0.5) * step);
   }
   const Eigen::Vector2d error = p_ + v_ / omega - planned_dcm;
-  Eigen::Vector2d zmp = planned_zmp(input, 0.0) + (1.0 + kFeedback) * error;
+  Eigen::Vector2d zmp = planned_zmp(0.0) + (1.0 + kFeedback) * error;
   const SupportPolygon support = [&] {
     FeetMatrix feet = FeetMatrix::Zero();
     for (int leg = 0; leg < kLegs; ++leg) feet.col(leg).head<2>() = input.swings[leg].from;
@@ -60,29 +113,6 @@ void BodySway::update(const Input& input, double dt) noexcept {
   a_ = omega * omega * (p_ - zmp);
   p_ += dt * (v_ + 0.5 * dt * a_);
   v_ += dt * a_;
-}
-
-// Return the planned ZMP relative to that of the body trajectory.
-Eigen::Vector2d BodySway::planned_zmp(const Input& input, double time) const noexcept {
-  const Eigen::Vector2d base = input.p + time * input.v - size_.time * size_.time * input.a;
-  FeetMatrix feet = FeetMatrix::Zero();
-  std::array<double, kLegs> share;
-  double sum = 0.0;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const NextSwing& swing = input.swings[leg];
-    feet.col(leg).head<2>() = time < swing.begin ? swing.from : swing.to;
-    share[leg] = swing_share(swing, time, input.shift_time);
-    sum += share[leg];
-  }
-  Eigen::Vector2d zmp = Eigen::Vector2d::Zero();
-  for (int leg = 0; leg < kLegs; ++leg) {
-    if (share[leg] == 0.0) continue;
-    std::array<bool, kLegs> others = {true, true, true, true};
-    others[leg] = false;
-    const SupportPolygon triangle(feet, others);
-    zmp += share[leg] / std::max(sum, 1.0) * (triangle.nearest_inside(base, input.margin) - base);
-  }
-  return zmp;
 }
 
 bool BodySway::is_at_rest() const noexcept {

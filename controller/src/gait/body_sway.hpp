@@ -44,8 +44,6 @@ class BodySway {
   const Eigen::Vector2d& a() const noexcept { return a_; }  ///< [m/s^2]
 
  private:
-  Eigen::Vector2d planned_zmp(const Input& input, double time) const noexcept;
-
   GaitSize size_;
   Eigen::Vector2d p_ = Eigen::Vector2d::Zero(), v_ = p_, a_ = p_;
 };

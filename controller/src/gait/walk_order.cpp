@@ -44,6 +44,7 @@ WalkOrder best_walk_order(const WalkOrder& present, const GaitSize& size,
   WalkOrder best = present;
   double least = kClearlyLess * sway_of(present, size, velocity, period, margin);
   for (const WalkOrder& order : kOrders) {
+    if (order == present) continue;
     const double sway = sway_of(order, size, velocity, period, margin);
     if (sway >= least) continue;
     least = sway;

@@ -23,13 +23,10 @@ SupportPolygon::SupportPolygon(const FeetMatrix& feet,
   for (const int leg : kCounterClockwise) {
     if (stance[leg]) corners_[count_++] = feet.col(leg).head<2>();
   }
-}
-
-SupportPolygon::Edge SupportPolygon::edge(int k, const Eigen::Vector2d& point) const noexcept {
-  const Eigen::Vector2d along = corners_[(k + 1) % count_] - corners_[k];
-  const Eigen::Vector2d outward =
-      Eigen::Vector2d(along.y(), -along.x()) / std::max(along.norm(), 1e-6);
-  return {outward, outward.dot(corners_[k] - point)};
+  for (int k = 0; k < count_; ++k) {
+    const Eigen::Vector2d along = corners_[after(k)] - corners_[k];
+    outward_[k] = Eigen::Vector2d(along.y(), -along.x()) / std::max(along.norm(), 1e-6);
+  }
 }
 
 double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
@@ -41,8 +38,7 @@ double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
 
 // Return the corner k of the polygon whose edges are moved inwards by `margin`.
 Eigen::Vector2d SupportPolygon::inset_corner(int k, double margin) const noexcept {
-  const Eigen::Vector2d a = edge((k + count_ - 1) % count_, corners_[k]).outward;
-  const Eigen::Vector2d b = edge(k, corners_[k]).outward;
+  const Eigen::Vector2d &a = outward_[before(k)], &b = outward_[k];
   // Both edges keep the margin: a . d = b . d = -margin.
   return corners_[k] - margin / std::max(1.0 + a.dot(b), 1e-3) * (a + b);
 }
@@ -53,11 +49,13 @@ Eigen::Vector2d SupportPolygon::nearest_inside(const Eigen::Vector2d& point,
   for (int halving = 0; halving < kHalvings; ++halving, margin *= 0.5) {
     double min_distance = std::numeric_limits<double>::infinity();
     Eigen::Vector2d nearest = point;
+    std::array<Eigen::Vector2d, kLegs> inset;
+    for (int k = 0; k < count_; ++k) inset[k] = inset_corner(k, margin);
     for (int k = 0; k < count_; ++k) {
       // The nearest point of an edge of the inset polygon, which is a side of that polygon only if
       // its ends keep the margin too.
-      const Eigen::Vector2d from = inset_corner(k, margin);
-      const Eigen::Vector2d along = inset_corner((k + 1) % count_, margin) - from;
+      const Eigen::Vector2d& from = inset[k];
+      const Eigen::Vector2d along = inset[after(k)] - from;
       const double share = (point - from).dot(along) / std::max(along.squaredNorm(), 1e-12);
       const Eigen::Vector2d candidate = from + std::clamp(share, 0.0, 1.0) * along;
       const double distance = (candidate - point).norm();

@@ -24,7 +24,9 @@ class SupportPolygon {
     double margin;
   };
   /// Compute the normal of edge k, 0 .. edge_count() - 1, and the margin of a point at this edge.
-  Edge edge(int k, const Eigen::Vector2d& point) const noexcept;
+  Edge edge(int k, const Eigen::Vector2d& point) const noexcept {
+    return {outward_[k], outward_[k].dot(corners_[k] - point)};
+  }
 
   /// Compute the smallest margin [m] of a point at any edge. Negative: the point is outside. If
   /// is_valid() is false, return 0.
@@ -36,9 +38,12 @@ class SupportPolygon {
   Eigen::Vector2d nearest_inside(const Eigen::Vector2d& point, double margin) const noexcept;
 
  private:
+  int after(int k) const noexcept { return k + 1 == count_ ? 0 : k + 1; }
+  int before(int k) const noexcept { return k == 0 ? count_ - 1 : k - 1; }
   Eigen::Vector2d inset_corner(int k, double margin) const noexcept;
 
-  std::array<Eigen::Vector2d, kLegs> corners_;
+  std::array<Eigen::Vector2d, kLegs> corners_;  // counter-clockwise
+  std::array<Eigen::Vector2d, kLegs> outward_;  // unit normals of the edges from corner k to k + 1
   int count_ = 0;
 };
 

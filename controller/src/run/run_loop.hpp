@@ -70,6 +70,7 @@ class RunLoop {
   void apply_requests() noexcept;
   void apply_remote(const WirelessRemote& remote) noexcept;
   void handle_start_button(bool pressed) noexcept;
+  void handle_select_button(bool pressed) noexcept;
   void apply_velocity(const WalkVelocity& sticks) noexcept;
   void sit_down_and_end() noexcept;
   void end(RunReason why) noexcept;
@@ -91,7 +92,8 @@ class RunLoop {
   // [s] Time of the last set_velocity(); -infinity: none yet.
   double velocity_time_ = -std::numeric_limits<double>::infinity();
   StickSpeeds stick_speeds_;
-  bool start_pressed_ = false;   // START of the remote in the last sample
+  // START and SELECT of the remote in the last sample.
+  bool start_pressed_ = false, select_pressed_ = false;
   bool walk_by_remote_ = false;  // the present walk was begun with START
   WalkVelocity velocity_;        // passed to the supervisor in this tick
   bool has_velocity_ = false;

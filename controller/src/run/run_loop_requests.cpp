@@ -15,6 +15,18 @@ bool is_finite(const BodyReference& r) {
   return std::isfinite(r.x + r.y + r.height + r.roll + r.pitch + r.yaw);
 }
 
+Gait next_gait(Gait gait) {
+  switch (gait) {
+    case Gait::kAuto:
+      return Gait::kTrot;
+    case Gait::kTrot:
+      return Gait::kWalk;
+    case Gait::kWalk:
+      break;
+  }
+  return Gait::kAuto;
+}
+
 }  // namespace
 
 void RunLoop::rearm() noexcept {
@@ -54,6 +66,7 @@ void RunLoop::apply_requests() noexcept {
 // The sticks move the body of a standing robot, and give the velocity of a walking one.
 void RunLoop::apply_remote(const WirelessRemote& remote) noexcept {
   handle_start_button(remote.pressed(Button::kStart));
+  handle_select_button(remote.pressed(Button::kSelect));
   const bool walks = supervisor_.mode() == Mode::kWalk;
   apply_velocity(walks ? remote_velocity(remote, stick_speeds_) : WalkVelocity());
   if (!options_.remote) return;
@@ -73,6 +86,15 @@ void RunLoop::handle_start_button(bool pressed) noexcept {
     walk_by_remote_ = !walks && snapshot_.start_answer == RequestStatus::kAccepted;
   }
   start_pressed_ = pressed;
+}
+
+// SELECT chooses the next gait.
+void RunLoop::handle_select_button(bool pressed) noexcept {
+  if (pressed && !select_pressed_) {
+    gait_ = next_gait(gait_);
+    supervisor_.set_gait(gait_);
+  }
+  select_pressed_ = pressed;
 }
 
 // Pass the sum of set_velocity() and the sticks to the supervisor. If neither a program nor the

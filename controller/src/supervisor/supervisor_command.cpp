@@ -13,8 +13,9 @@ namespace {
 // Derived: at the start of a push the estimator responds within 6 ms, and torques may be limited
 // for so long; plus one period. Shorter than the 10 ms of fault_table().
 constexpr double kRateLimitedTime = 0.008;
-// [s] The same while feet step: loads move from one pair of feet to the other, and the torques are
-// limited for up to 40 ms (go1) and 100 ms (b1) in each step.
+// [s] The same if the torques began to be limited while feet stepped: loads move from one pair of
+// feet to the other, and the torques are limited for up to 40 ms (go1) and 100 ms (b1) in each
+// step, also in the last one, after which the robot stands or sits down.
 constexpr double kSteppingRateLimitedTime = 0.3;
 
 }  // namespace
@@ -61,9 +62,11 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   // an impact lasts for one or two ticks.
   const bool limited =
       rate_limiter.limit(demand.tau, demand.kd, measured_velocities(state), clock.period());
+  const bool counts = limited && uses_controller;
+  limited_by_step = counts && (limited_by_step || controller.reference().stepping);
   log.set(FaultId::kTorqueRate,
-          rate_limited.update(limited && uses_controller, clock.period(),
-                              is_stepping() ? kSteppingRateLimitedTime : kRateLimitedTime));
+          rate_limited.update(counts, clock.period(),
+                              limited_by_step ? kSteppingRateLimitedTime : kRateLimitedTime));
   return command_hold.accept(torque_low_cmd(demand.tau, demand.kd));
 }
 

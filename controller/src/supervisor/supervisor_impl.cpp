@@ -149,6 +149,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   fade.switch_to(TorqueSource::kDamping);
   rate_limiter.set_damping_only(damping_kd);
   unsolved = rate_limited = {};
+  limited_by_step = false;
   log.set(FaultId::kTorqueRate, false);
   // The rise has ended, and this fault must not block the next rise.
   log.set(FaultId::kHanging, false);

@@ -158,6 +158,7 @@ struct Supervisor::Impl {
   EncoderMonitor encoders;
   ClockMonitor clock_monitor;
   Debounce battery, rate_limited, unsolved;
+  bool limited_by_step = false;           // torques are rate-limited since feet stepped
   FaultId sample_fault = FaultId::kNone;  // fault that made the last sample unusable, or kNone
   unsigned last_heartbeats = 0;           // value of `heartbeats` in the last tick
   double operator_silence = 0.0;          // [s] time since the last heartbeat

@@ -14,7 +14,6 @@ from surefoot._core import (
     Reference,
     Robot,
     RobotState,
-    StandController,
     WholeBodyController,
 )
 from surefoot.bench.problems import SCENARIOS
@@ -80,11 +79,11 @@ class Problem:
 
 def make_problem(recording: Recording, urdf: Path) -> Problem:
     """Replay a recording to get the estimated states and the references of each tick."""
-    robot, apply_reference = recording.robot, SCENARIOS[recording.scenario].apply_reference
-    controller = StandController(robot)
+    robot, scenario = recording.robot, SCENARIOS[recording.scenario]
+    controller = scenario.make_controller(robot)
     q, v, targets = [], [], []
     for tick, low_state in enumerate(recording.low_states):
-        apply_reference(controller, tick * recording.period)
+        scenario.apply_requests(controller, tick * recording.period)
         controller.update(low_state)
         state, reference = controller.state, controller.reference
         q.append(state.q)

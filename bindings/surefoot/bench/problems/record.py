@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any
 
-from surefoot._core import ControllerOptions, Error, QpForm, QpProblem, StandController, is_usable
+from surefoot._core import Error, QpForm, QpProblem, is_usable
 from surefoot.bench.problems.qp_sequence import QpSequence, make_qp_sequence
 from surefoot.bench.problems.scenarios import SCENARIOS, Scenario
 from surefoot.bench.problems.three_legged_stance import run_three_legged_stance
@@ -40,7 +40,7 @@ def record_problems(
     if scenario == THREE_LEGGED_STANCE:
         all_problems = run_three_legged_stance(robot, form, rate, seed)
     else:
-        all_problems = stand_problems(robot, SCENARIOS[scenario], form, rate, seed)
+        all_problems = controller_problems(robot, SCENARIOS[scenario], form, rate, seed)
     found: dict[int, tuple[list[int], list[QpProblem]]] = defaultdict(lambda: ([], []))
     for tick, problem in all_problems:
         ticks, problems = found[len(problem.g)]
@@ -67,18 +67,15 @@ def check_scenario(name: str) -> None:
         raise Error(f"scenario: got '{name}', expected one of {', '.join(SCENARIO_NAMES)}")
 
 
-def stand_problems(
+def controller_problems(
     robot: str | RobotDescription, scenario: Scenario, form: QpForm, rate: float, seed: int
 ) -> Iterator[tuple[int, QpProblem]]:
-    """Yield (tick, QP) of the stand controller; end when the robot falls."""
+    """Yield (tick, QP) of the scenario's controller; end when the robot falls."""
     plant = scenario.make_plant(robot, rate, seed)
-    assumed_robot = scenario.controller_robot(plant.robot)
-    controller = StandController(
-        assumed_robot, assumed_robot.config.gains, ControllerOptions(form=form)
-    )
+    controller = scenario.make_controller(scenario.controller_robot(plant.robot), form)
     low_state = plant.reset()
     for tick in range(round(scenario.duration * rate)):
-        scenario.apply_reference(controller, tick / rate)
+        scenario.apply_requests(controller, tick / rate)
         command = controller.update(low_state)
         if is_usable(controller.status):
             yield tick, controller.qp

@@ -10,9 +10,15 @@ import numpy as np
 
 from surefoot._core import (
     BodyReference,
+    ControllerOptions,
+    Gait,
+    QpForm,
     Robot,
     RobotState,
     StandController,
+    WalkController,
+    WalkOptions,
+    WalkVelocity,
     WholeBodyController,
 )
 from surefoot.robot.description import RobotDescription
@@ -29,6 +35,22 @@ WEAK_TORQUE_FACTOR = 1.3
 SLIPPERY_FRICTION = 0.2
 
 BodyTrajectory = Callable[[float], BodyReference]
+# Commanded velocities, each from a time [s] on, in order of time.
+VelocityCourse = tuple[tuple[float, WalkVelocity], ...]
+# Chosen: forward, to the side, on a curve, backwards and in place, at speeds of which all four
+# robots are capable. The first command comes when the pose is latched.
+TROT_COURSE: VelocityCourse = (
+    (0.2, WalkVelocity(0.5, 0.0, 0.0)),
+    (3.0, WalkVelocity(0.8, 0.0, 0.0)),
+    (6.0, WalkVelocity(0.0, 0.3, 0.0)),
+    (8.0, WalkVelocity(0.3, 0.0, 0.8)),
+    (10.0, WalkVelocity(-0.3, 0.0, 0.0)),
+    (12.0, WalkVelocity(0.0, 0.0, 0.0)),
+)
+WALK_COURSE: VelocityCourse = (
+    (0.2, WalkVelocity(0.15, 0.0, 0.0)),
+    (6.0, WalkVelocity(0.1, 0.0, 0.2)),
+)
 
 
 def _sway(time: float) -> BodyReference:
@@ -49,7 +71,7 @@ def _sway(time: float) -> BodyReference:
 
 @dataclass(frozen=True)
 class Scenario:
-    """One recorded run of the stand controller.
+    """One recorded run of a robot that stands or walks.
 
     Attributes:
         description: One line of text.
@@ -69,11 +91,29 @@ class Scenario:
     friction: float | None = None
     torque_factor: float | None = None
     body_reference: BodyTrajectory | None = None
+    velocities: VelocityCourse = ()
+    gait: Gait = Gait.AUTO
 
-    def apply_reference(self, controller: StandController, time: float) -> None:
-        """Set the body reference of the tick at a time [s], if the scenario has one."""
+    def make_controller(self, robot: Robot, form: QpForm = QpForm.AUTO) -> StandController:
+        """Return a new controller: a WalkController if the scenario has velocities."""
+        gains, options = robot.config.gains, ControllerOptions(form=form)
+        if not self.velocities:
+            return StandController(robot, gains, options)
+        controller = WalkController(robot, gains, WalkOptions(options))
+        controller.gait = self.gait
+        return controller
+
+    def velocity(self, time: float) -> WalkVelocity:
+        """Return the velocity that is commanded at a time [s]."""
+        started = [velocity for start, velocity in self.velocities if start <= time]
+        return started[-1] if started else WalkVelocity()
+
+    def apply_requests(self, controller: StandController, time: float) -> None:
+        """Set the body reference and the velocity of the tick at a time [s], if there are any."""
         if self.body_reference is not None:
             controller.set_body_reference(self.body_reference(time))
+        if isinstance(controller, WalkController):
+            controller.set_velocity(self.velocity(time))
 
     def controller_robot(self, robot: Robot) -> Robot:
         """Return the controller's robot model, with the scenario's friction and torque limits."""
@@ -88,8 +128,16 @@ class Scenario:
 
     def make_plant(self, robot: str | RobotDescription, rate: float, seed: int) -> Plant:
         """Return the plant, with the ground and the pushes of the scenario."""
-        friction = 0.8 if self.friction is None else self.friction
-        plant = Plant(robot, PlantSettings(control_rate=rate, seed=seed, friction=friction))
+        walks = bool(self.velocities)
+        settings = PlantSettings(
+            control_rate=rate,
+            seed=seed,
+            friction=0.8 if self.friction is None else self.friction,
+            walking_sensors=walks,
+            soft_soles=walks,
+            leg_collisions=walks,
+        )
+        plant = Plant(robot, settings)
         for direction, time in zip(("lateral", "forward"), PUSH_TIMES, strict=True):
             if self.push > 0.0:
                 impulse = self.push * plant.lip_push_limit(direction, PUSH_DURATION)
@@ -120,5 +168,18 @@ SCENARIOS: dict[str, Scenario] = {
         "pushes of 50 % of the LIP limit, torques limited to 1.3 times those of standing",
         push=0.5,
         torque_factor=WEAK_TORQUE_FACTOR,
+    ),
+    "trot": Scenario(
+        "trot in all directions and in place, pushes of 50 % of the LIP limit",
+        14.0,
+        push=0.5,
+        velocities=TROT_COURSE,
+        gait=Gait.TROT,
+    ),
+    "walk": Scenario(
+        "walk forward and on a curve, three feet down",
+        10.0,
+        velocities=WALK_COURSE,
+        gait=Gait.WALK,
     ),
 }

@@ -14,13 +14,17 @@ import numpy.typing as npt
 
 from surefoot._core import (
     Error,
+    Gait,
     Mode,
     Runner,
     RunOptions,
     RunSnapshot,
+    WalkLimit,
+    WalkVelocity,
 )
 from surefoot.geometry.rotations import Array
 from surefoot.reports.damping_reason import damping_reason
+from surefoot.reports.refusal_reason import refusal_reason
 from surefoot.robot.description import RobotDescription
 from surefoot.robot.gain_files import gains_from_values
 from surefoot.robot.loading import build_robot
@@ -32,8 +36,9 @@ STATUS_PERIOD = 0.05  # [s] time between two RunnerStatus messages
 _FIRST_STATE_TIMEOUT = 1e6  # [s] no limit: the robot may be switched on long after the page
 
 Message = tuple[str, Any]
-"""Message from the page: ("gains", values by name), ("reference", values by axis), ("damp", None),
-("rearm", None) or ("stop", None)."""
+"""Message from the page: ("gains", values by name), ("reference", values by axis),
+("velocity", (vx, vy [m/s], yaw rate [rad/s])), ("gait", name), ("walk", None), ("stand", None),
+("damp", None), ("rearm", None) or ("stop", None)."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +66,7 @@ class RunnerStatus:
     """Status of the runner, sent to the page.
 
     Attributes:
-        phase: Phase of the RunSnapshot; "standing" in normal operation.
+        phase: Phase of the RunSnapshot; "standing" or "walking" in normal operation.
         reason: Why the robot damps. Before the first LowState: why the last datagram was rejected.
         q: Estimated q, (nq,), Pinocchio's order; None before the first LowState.
         forces: Contact forces of the QP, (3, 4), world axes [N].
@@ -69,6 +74,8 @@ class RunnerStatus:
         metrics: Metrics of the last tick; their tick_us is the median of the tick times.
         refused: Number of re-arms that were refused because no LowState arrived or an arming check
             failed.
+        walk: Commanded velocity, gait and limit as text; "" while the robot does not walk.
+        refusal: Why the last request to walk or to stand was refused; "" if it was accepted.
     """
 
     phase: str
@@ -78,6 +85,8 @@ class RunnerStatus:
     contact: npt.NDArray[np.bool_]
     metrics: TickMetrics
     refused: int = 0
+    walk: str = ""
+    refusal: str = ""
 
 
 def run_control_process(
@@ -104,20 +113,21 @@ def run_control_process(
         pipe.send(str(problem))
         return
     signal.signal(signal.SIGTERM, lambda *_: runner.stop())
+    messages = _Messages(pipe, runner)
     loop = threading.Thread(target=runner.run)
     loop.start()
     try:
         pipe.send("")
-        while loop.is_alive() and _handle_message(pipe, runner):
-            _send_status(pipe, status_from_snapshot(runner.snapshot()))
+        while loop.is_alive() and messages.handle():
+            _send_status(pipe, status_from_snapshot(runner.snapshot(), messages.refusal))
     finally:
         runner.stop()  # sends damping commands
         loop.join()
         _send_status(pipe, status_from_snapshot(runner.snapshot()))
 
 
-def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
-    """Convert a snapshot to the message for the page."""
+def status_from_snapshot(snapshot: RunSnapshot, refusal: str = "") -> RunnerStatus:
+    """Convert a snapshot, and why a request was refused, to the message for the page."""
     known = snapshot.ticks > 0
     power = snapshot.command_power
     reason = damping_reason(snapshot) if snapshot.phase in ("damping", "ended") else ""
@@ -139,6 +149,19 @@ def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
         np.array(snapshot.contact) > 0.5,
         TickMetrics(*metrics, snapshot.tick_p50) if known else TickMetrics(0.0, 0.0, 0.0, 0.0, 0.0),
         snapshot.refused_rearms,
+        walk_text(snapshot) if snapshot.phase == "walking" else "",
+        refusal,
+    )
+
+
+def walk_text(snapshot: RunSnapshot) -> str:
+    """Return commanded velocity, gait and limit of a walking robot as text."""
+    v, limit = snapshot.commanded_velocity, snapshot.velocity_limit
+    limited = "" if limit == WalkLimit.NONE else f", limit: {limit.name.lower()}"
+    stopping = ", stopping" if snapshot.stopping else ""
+    return (
+        f"Command {v.vx:.2f}, {v.vy:.2f} m/s, {v.yaw_rate:.2f} rad/s{limited}, "
+        f"gait {snapshot.gait.name.lower()}{stopping}"
     )
 
 
@@ -152,30 +175,60 @@ def _make_runner(
     )
 
 
-def _handle_message(pipe: Connection, runner: Runner) -> bool:
-    """Wait up to STATUS_PERIOD for a message and handle it.
+class _Messages:
+    """Handler of the messages from the page.
 
-    Return False after the message "stop", or if the page has ended.
+    Args:
+        pipe: Connection to the page.
+        runner: Receives the requests.
+
+    Attributes:
+        refusal: See RunnerStatus.
     """
-    try:
-        if not pipe.poll(STATUS_PERIOD):
-            return True
-        word, values = pipe.recv()
-    except (EOFError, OSError):  # the page has ended
-        return False
-    if word == "gains":
-        runner.set_gains(gains_from_values(values))
-    elif word == "reference":
-        runner.set_body_reference(body_reference(values))
-    elif word == "damp":
-        runner.damp()
-    elif word == "rearm":
+
+    def __init__(self, pipe: Connection, runner: Runner) -> None:
+        self._pipe, self._runner = pipe, runner
+        self.refusal = ""
+
+    def handle(self) -> bool:
+        """Wait up to STATUS_PERIOD for a message and handle it.
+
+        Return False after the message "stop", or if the page has ended.
+        """
+        try:
+            if not self._pipe.poll(STATUS_PERIOD):
+                return True
+            word, values = self._pipe.recv()
+        except (EOFError, OSError):  # the page has ended
+            return False
+        runner = self._runner
+        if word == "gains":
+            runner.set_gains(gains_from_values(values))
+        elif word == "reference":
+            runner.set_body_reference(body_reference(values))
+        elif word == "velocity":
+            runner.set_velocity(WalkVelocity(*values))
+        elif word == "gait":
+            runner.set_gait(Gait[values])
+        elif word in ("walk", "stand"):
+            self._request(Mode.WALK if word == "walk" else Mode.STAND)
+        elif word == "damp":
+            runner.damp()
+        elif word == "rearm":
+            self._rearm()
+        return bool(word != "stop")
+
+    def _request(self, mode: Mode) -> None:
+        why = refusal_reason(self._runner.request(mode), self._runner.snapshot())
+        self.refusal = f"{mode.name.lower()} refused: {why}" if why else ""
+
+    def _rearm(self) -> None:
+        self.refusal = ""
         # A robot that sat down after a fault is still armed and only needs to rise.
-        if runner.snapshot().mode == Mode.PASSIVE:
-            runner.request(Mode.RISE)
+        if self._runner.snapshot().mode == Mode.PASSIVE:
+            self._runner.request(Mode.RISE)
         else:
-            runner.rearm()
-    return bool(word != "stop")
+            self._runner.rearm()
 
 
 def _send_status(pipe: Connection, status: RunnerStatus) -> None:

@@ -17,7 +17,7 @@ from surefoot.tune.live.push_panel import PushPanel
 from surefoot.tune.live.reference_panel import add_reference_panel
 from surefoot.tune.live.scene import Scene
 from surefoot.tune.live.server import close_server
-from surefoot.tune.live.session import Session
+from surefoot.tune.live.session import Session, velocity_range
 from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.time_panel import add_time_panel
@@ -104,16 +104,18 @@ class Page:
     def _add_robot_controls(self) -> list[WalkPanel | PushPanel]:
         """Add the controls of the robot; return the panels that need to be refreshed."""
         gui, session, post = self._server.gui, self._session, self.loop.post
+        limits, panels = velocity_range(session.robot), list[WalkPanel | PushPanel]()
         if isinstance(session, UdpSession):
-            add_link_panel(gui, session, lambda: self._zero_reference())
-        if not isinstance(session, Simulation):
-            return []
-        add_time_panel(gui, self.loop, session)
-        with gui.add_folder("Walk"):
-            walk = WalkPanel(gui, session, post)
-        with gui.add_folder("Push"):
-            push = PushPanel(gui, session, post, self.notifier)
-        return [walk, push]
+            add_link_panel(gui, session, limits is not None, lambda: self._zero_reference())
+        if isinstance(session, Simulation):
+            add_time_panel(gui, self.loop, session)
+        if limits is not None:
+            with gui.add_folder("Walk"):
+                panels.append(WalkPanel(gui, session, limits, post))
+        if isinstance(session, Simulation):
+            with gui.add_folder("Push"):
+                panels.append(PushPanel(gui, session, post, self.notifier))
+        return panels
 
     def _add_view_controls(self, plain: bool) -> None:
         hint = "no shadows and reflections, for a computer without a GPU"
@@ -150,8 +152,7 @@ class Page:
                 window_start, window_frames = now, 0
 
     def _refresh(self, count: int) -> None:
-        if isinstance(self._session, Simulation):
-            self._session.attended = bool(self._server.get_clients())
+        self._session.attended = bool(self._server.get_clients())
         self._scene.show(self._session.scene_state)
         if count % _PLOT_EVERY == 0:
             self._plots.refresh()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from surefoot._core import Robot
+from surefoot._core import Error, Gait, Robot, WalkController, WalkVelocity
 from surefoot.robot.description import RobotDescription
 from surefoot.tune.live.gain_editor import GainEditor
 from surefoot.tune.live.gain_limiter import GainLimiter
@@ -24,7 +24,7 @@ REFERENCE_RANGES = {
 
 
 class Session(Protocol):
-    """Standing robot whose gains can be edited.
+    """Robot that stands or walks, whose gains can be edited.
 
     One thread owns a session. Only this thread calls methods, unless their docstrings permit any
     thread.
@@ -37,6 +37,9 @@ class Session(Protocol):
         scene_state: Present state. Every update replaces the object, so any thread may read it.
         curves: Metrics of the last seconds.
         period: Time that tick() advances [s].
+        attended: Whether someone watches the robot; any thread may set it. While it is False, the
+            controller receives no velocity, so the velocity times out and the robot stops.
+        velocity_version: Number of times that the session itself has set the velocity to 0.
     """
 
     description: RobotDescription
@@ -46,6 +49,8 @@ class Session(Protocol):
     scene_state: SceneState
     curves: Curves
     period: float
+    attended: bool
+    velocity_version: int
 
     @property
     def status(self) -> str:
@@ -54,7 +59,7 @@ class Session(Protocol):
 
     @property
     def healthy(self) -> bool:
-        """True if the robot stands and its controller works."""
+        """True if the robot stands or walks, and its controller works."""
         ...
 
     def tick(self) -> None:
@@ -73,6 +78,35 @@ class Session(Protocol):
         """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""
         ...
 
+    def set_velocity(self, velocity: WalkVelocity) -> None:
+        """Command a velocity until another one is set or `attended` is False."""
+        ...
+
+    def set_gait(self, gait: Gait) -> None:
+        """Set the gait."""
+        ...
+
+    def walk_text(self) -> str:
+        """Return velocity, limits and figures of the walk as Markdown."""
+        ...
+
     def close(self) -> None:
         """End control of the robot."""
         ...
+
+
+def velocity_range(robot: Robot) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
+    """Return lowest and highest vx, vy [m/s] and yaw rate [rad/s] of the robot's own gains.
+
+    None: the robot cannot walk.
+    """
+    try:
+        probe = WalkController(robot)
+    except Error:
+        return None
+    limits = []
+    for sign in (-1.0, 1.0):
+        probe.set_velocity(WalkVelocity(sign * 1e3, sign * 1e3, sign * 1e3))
+        v = probe.commanded_velocity
+        limits.append((v.vx, v.vy, v.yaw_rate))
+    return limits[0], limits[1]

@@ -43,8 +43,7 @@ class Simulation:
         world: The present world.
         requested_world: World that apply_requested_world() will use; any thread may set it.
         controller: The controller; read-only for callers.
-        attended: Whether someone watches the robot; any thread may set it. While it is False, the
-            controller receives no velocity, so WalkOptions.velocity_timeout stops the robot.
+        attended: See Session.
         velocity_version: Number of restarts, each of which sets the velocity to 0.
         score: Recorder of the last push and its cost.
         walk_figures: Figures of the present walk.
@@ -88,16 +87,6 @@ class Simulation:
         limit = "" if reach.limit.name == "NONE" else f", reach limited: {reach.limit.name.lower()}"
         walking = ", walking" if self.controller.walking else ""
         return f"{self.controller.status.name.lower()}{walking}{limit}"
-
-    @property
-    def velocity_range(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Lowest and highest vx, vy [m/s] and yaw rate [rad/s] of the robot's own gains."""
-        probe, limits = WalkController(self.robot), []
-        for sign in (-1.0, 1.0):
-            probe.set_velocity(WalkVelocity(sign * 1e3, sign * 1e3, sign * 1e3))
-            v = probe.commanded_velocity
-            limits.append((v.vx, v.vy, v.yaw_rate))
-        return limits[0], limits[1]
 
     @property
     def healthy(self) -> bool:
@@ -170,6 +159,10 @@ class Simulation:
     def set_gait(self, gait: Gait) -> None:
         """Set the gait."""
         self._gait = self.controller.gait = gait
+
+    def walk_text(self) -> str:
+        """Return the command and the RMS errors of the walk as Markdown."""
+        return self.walk_figures.text()
 
     def set_reference(self, values: dict[str, float]) -> None:
         """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""

@@ -9,7 +9,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from surefoot._core import Error, Gains
+from surefoot._core import Error, Gains, Gait, WalkVelocity
 from surefoot.robot.description import RobotDescription
 from surefoot.robot.gain_files import gain_values
 from surefoot.robot.loading import build_robot, load_pinocchio_model
@@ -43,6 +43,9 @@ class UdpSession:
 
     Attributes:
         runner_status: Last status of the control process.
+        attended: See Session.
+        velocity_version: Number of times that the velocity was set to 0 because the robot did not
+            walk.
 
     Raises:
         Error: A gain is out of its range, or UdpLink cannot be opened.
@@ -67,6 +70,8 @@ class UdpSession:
         )
         # _refused: number of refused re-arms at the last rearm().
         self._time, self._refused = 0.0, 0
+        self._velocity = WalkVelocity()
+        self.attended, self.velocity_version = True, 0
         self._send_lock = threading.Lock()
         self._data.qpos[self._handles.joint_q] = self.robot.config.q_standing
         self.update_view()
@@ -82,12 +87,14 @@ class UdpSession:
         hint = "; Re-arm makes it stand" if runner_status.phase in ("damping", "passive") else ""
         if runner_status.phase == "damping" and runner_status.refused > self._refused:
             hint = "; not re-armed: no LowState, or arming checks fail"
+        if runner_status.refusal:
+            hint = f"; {runner_status.refusal}"
         return f"{self._address}: {runner_status.phase}{reason_text}{hint}"
 
     @property
     def healthy(self) -> bool:
-        """True if the control process runs and the robot stands."""
-        return self._process.is_alive() and self.runner_status.phase == "standing"
+        """True if the control process runs and the robot stands or walks."""
+        return self._process.is_alive() and self.runner_status.phase in ("standing", "walking")
 
     @property
     def active_gains(self) -> Gains:
@@ -95,7 +102,7 @@ class UdpSession:
         return self._active_gains.__copy__()
 
     def tick(self) -> None:
-        """Read the status messages, and move the gains by one step of the GainLimiter."""
+        """Read the status messages, send the velocity, and move the gains by one limited step."""
         try:
             while self._pipe.poll():
                 self.runner_status = self._pipe.recv()
@@ -103,6 +110,7 @@ class UdpSession:
                 self.curves.add(self._time, self.runner_status.metrics)
         except (EOFError, OSError):
             return
+        self._send_velocity()
         if self._active_gains != self.editor.gains:
             assert self.gain_limiter is not None  # set in __init__
             self._active_gains = self.gain_limiter.step_towards(
@@ -131,6 +139,26 @@ class UdpSession:
     def set_reference(self, values: dict[str, float]) -> None:
         """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""
         self._send("reference", values)
+
+    def set_velocity(self, velocity: WalkVelocity) -> None:
+        """Command a velocity; it is 0 again when the robot does not walk."""
+        self._velocity = velocity
+
+    def set_gait(self, gait: Gait) -> None:
+        """Set the gait."""
+        self._send("gait", gait.name)
+
+    def walk_text(self) -> str:
+        """Return the command of the walk as Markdown."""
+        return self.runner_status.walk or "The robot does not walk: _Walk_ begins."
+
+    def request_walk(self) -> None:
+        """Let the standing robot walk at the commanded velocity; callable from any thread."""
+        self._send("walk")
+
+    def request_stand(self) -> None:
+        """Let the robot stop on four feet and stand; callable from any thread."""
+        self._send("stand")
 
     def damp(self) -> None:
         """Damp the robot until rearm(); callable from any thread."""
@@ -169,6 +197,16 @@ class UdpSession:
         if problem:
             self._process.join(_EXIT_TIMEOUT)
             raise Error(f"{self._address}: {problem}")
+
+    def _send_velocity(self) -> None:
+        """Send the velocity of a walking robot: the Runner lets a velocity time out."""
+        v = self._velocity
+        if self.runner_status.phase == "walking":
+            if self.attended:
+                self._send("velocity", (v.vx, v.vy, v.yaw_rate))
+        elif v != WalkVelocity():
+            self._velocity = WalkVelocity()
+            self.velocity_version += 1
 
     def _send(self, word: str, values: Any = None) -> None:
         with self._send_lock:

@@ -1,4 +1,4 @@
-"""Panel that commands the velocity of a simulated robot, by sliders and keys."""
+"""Panel that commands the velocity of a robot, by sliders and keys."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import viser
 
 from surefoot._core import Gait, WalkVelocity
-from surefoot.tune.live.simulation import Simulation
+from surefoot.tune.live.session import Session
 
 # The keys of surefoot run, with its steps. W A S D Q E move the camera of the page.
 _KEYS: tuple[tuple[Any, str, int, int], ...] = (
@@ -33,16 +33,21 @@ class WalkPanel:
 
     Args:
         gui: GUI that gets the controls.
-        simulation: The simulated robot.
-        post: Function that runs an action in the thread that owns the simulation.
+        session: Session on a robot that can walk.
+        limits: Lowest and highest velocity, see velocity_range().
+        post: Function that runs an action in the thread that owns the session.
     """
 
     def __init__(
-        self, gui: viser.GuiApi, simulation: Simulation, post: Callable[[Callable[[], Any]], None]
+        self,
+        gui: viser.GuiApi,
+        session: Session,
+        limits: tuple[tuple[float, ...], tuple[float, ...]],
+        post: Callable[[Callable[[], Any]], None],
     ) -> None:
-        self._simulation, self._post = simulation, post
-        self._version = simulation.velocity_version
-        lowest, highest = simulation.velocity_range
+        self._session, self._post = session, post
+        self._version = session.velocity_version
+        lowest, highest = limits
         names = ("forward", "left", "turn left")
         self._sliders: list[Any] = [
             gui.add_slider(
@@ -63,18 +68,18 @@ class WalkPanel:
         stop.on_click(lambda _: self._move((0.0, 0.0, 0.0)))
         hint = "auto: stand at velocity 0, trot otherwise; trot: also in place"
         gait = gui.add_dropdown("gait", tuple(g.name.lower() for g in Gait), hint=hint)
-        gait.on_update(lambda _: post(lambda: simulation.set_gait(Gait[gait.value.upper()])))
+        gait.on_update(lambda _: post(lambda: session.set_gait(Gait[gait.value.upper()])))
         self._add_keys(gui)
         gui.add_markdown(_KEY_HINT)
         self._text = gui.add_markdown("")
         self.refresh()
 
     def refresh(self) -> None:
-        """Show the figures of the walk, and the velocity after a restart of the robot."""
-        if self._simulation.velocity_version != self._version:
-            self._version = self._simulation.velocity_version
+        """Show the figures of the walk, and the velocity if the session has set it to 0."""
+        if self._session.velocity_version != self._version:
+            self._version = self._session.velocity_version
             self._show((0.0, 0.0, 0.0))
-        text = self._simulation.walk_figures.text()
+        text = self._session.walk_text()
         if text != self._text.content:
             self._text.content = text
 
@@ -102,7 +107,7 @@ class WalkPanel:
 
     def _send(self) -> None:
         velocity = WalkVelocity(*(float(slider.value) for slider in self._sliders))
-        self._post(lambda: self._simulation.set_velocity(velocity))
+        self._post(lambda: self._session.set_velocity(velocity))
 
 
 def _rounded(value: float, step: float) -> float:

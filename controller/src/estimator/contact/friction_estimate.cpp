@@ -38,8 +38,6 @@ constexpr double kContradiction = 0.8;
 // [sqrt(h/g)] Time after touchdown from which a foot counts: 40 ms at h = 0.3 m. Before, it
 // bounces, and the direction of its force changes faster than LegForces can follow.
 constexpr double kSettlingTime = 0.23;
-// [s] Time after the last step for which the rules of stepping hold. Equal to that of SlipDetector.
-constexpr double kAfterSteps = 0.3;
 // [s] Time constants of the low-passes: of the velocities, equal to LegForces::kFilterTime, so that
 // velocity and force belong together; and of the ratio that holds, longer than an impact.
 constexpr double kVelocityFilterTime = LegForces::kFilterTime;
@@ -64,7 +62,6 @@ FrictionEstimate::FrictionEstimate(const Robot& robot)
       coefficient_(assumed_) {}
 
 void FrictionEstimate::update(const FrictionInput& input, double dt) noexcept {
-  time_since_steps_ = input.stepping ? 0.0 : time_since_steps_ + dt;
   const double fading = std::exp(-input.travelled / (kMemoryDistance * height_));
   friction_work_ *= fading;
   sliding_ *= fading;
@@ -106,11 +103,10 @@ double FrictionEstimate::slowest_loaded_foot(const FrictionInput& input) const n
 
 void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, double common_speed,
                                        double dt) noexcept {
-  const bool stepping = time_since_steps_ < kAfterSteps;
   const Vector3 force = input.forces.col(leg), v = v_filtered_.col(leg);
   const double f_n = force.dot(input.normal);
   if (stance_time_[leg] <= kSettlingTime * std::sqrt(height_ / kGravity) ||
-      f_n <= (stepping ? kSteppingMinLoad : kMinLoad) * weight_) {
+      f_n <= (input.stepping ? kSteppingMinLoad : kMinLoad) * weight_) {
     holding_ratio_[leg] = 0.0;
     return;
   }
@@ -120,7 +116,7 @@ void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, doub
   if (speed < kHoldingSpeed * unit) held_ = std::max(held_, holding_ratio_[leg]);
   const double opposed_speed = -v.dot(f_t) / std::max(f_t.norm(), 1e-9);
   const double sliding_speed = opposed_speed - common_speed;
-  const double least_speed = (stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
+  const double least_speed = (input.stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
   if (sliding_speed > least_speed && opposed_speed > kMinAlignment * speed)
     slide(ratio, f_n / weight_ * sliding_speed * dt / height_);
 }
@@ -137,7 +133,6 @@ void FrictionEstimate::slide(double ratio, double weighted_distance) noexcept {
 void FrictionEstimate::reset() noexcept {
   friction_work_ = sliding_ = held_ = 0.0;
   coefficient_ = assumed_;
-  time_since_steps_ = std::numeric_limits<double>::infinity();
   v_filtered_.setZero();
   stance_time_.setZero();
   holding_ratio_.setZero();

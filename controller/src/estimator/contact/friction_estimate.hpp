@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "dynamics/dynamics.hpp"
 #include "estimator/contact/leg_forces.hpp"
 
@@ -15,7 +13,7 @@ struct FrictionInput {
   const Eigen::Vector4d& contact;  ///< contact confidence per foot, 0 .. 1
   const Vector3& normal;           ///< of the ground, world axes
   double travelled;                ///< distance that the base moved since the last call [m]
-  bool stepping;                   ///< feet step
+  bool stepping;                   ///< feet step, or stepped lately
 };
 
 /// Friction coefficient of the ground, learnt from feet that slide and from feet that hold.
@@ -62,13 +60,12 @@ class FrictionEstimate {
   double weight_;   // [N] of the robot
   double height_;   // [m] of the centre of mass above the feet, standing pose
   double coefficient_;
-  double friction_work_ = 0.0;  // [m g h] work of the sliding feet against friction
-  double sliding_ = 0.0;        // [m g h] the same for a friction coefficient of 1
-  double held_ = 0.0;           // |f_t| / f_n that has held
-  double time_since_steps_ = std::numeric_limits<double>::infinity();  // [s]
-  FeetMatrix v_filtered_ = FeetMatrix::Zero();                         // [m/s] along the ground
-  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();              // [s] since touchdown
-  Eigen::Vector4d holding_ratio_ = Eigen::Vector4d::Zero();            // |f_t| / f_n, low-passed
+  double friction_work_ = 0.0;                  // [m g h] work of the sliding feet against friction
+  double sliding_ = 0.0;                        // [m g h] the same for a friction coefficient of 1
+  double held_ = 0.0;                           // |f_t| / f_n that has held
+  FeetMatrix v_filtered_ = FeetMatrix::Zero();  // [m/s] along the ground
+  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();    // [s] since touchdown
+  Eigen::Vector4d holding_ratio_ = Eigen::Vector4d::Zero();  // |f_t| / f_n, low-passed
 };
 
 }  // namespace surefoot

@@ -17,8 +17,6 @@ constexpr double kSettlingTime = 0.03;
 // [s] The same while feet step: a soft sole still slides for 20 to 50 ms, while its
 // load grows; on a b1 for up to 80 ms.
 constexpr double kSteppingSettlingTime = 0.09;
-// [s] Time after the last step for which soles still sink, so that the rules of stepping hold.
-constexpr double kAfterSteps = 0.3;
 // [s] Duration of slipping that raises slip() from 0 to 1. Longer than single samples. If larger: a
 // foot slips further; at slip_speed it moves by 3 mm in this time.
 constexpr double kDetectionTime = 0.02;
@@ -35,24 +33,22 @@ constexpr double kMinLoad = 0.1;
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FootSlipInput& input, double dt) noexcept {
-  time_since_steps_ = input.stepping ? 0.0 : time_since_steps_ + dt;
-  const bool soles_move = time_since_steps_ < kAfterSteps;
-  const double settling_time = soles_move ? kSteppingSettlingTime : kSettlingTime;
+  const double settling_time = input.stepping ? kSteppingSettlingTime : kSettlingTime;
   for (int leg = 0; leg < kLegs; ++leg) {
     const Vector3 v = input.v_contact.col(leg);
     const bool in_contact = input.contact[leg] > kLoadedConfidence;
     // The low-pass restarts at touchdown, because the velocity of the swing must not count as slip.
     if (in_contact && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v;
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v - v_filtered_.col(leg));
-    if (soles_move && !in_contact) slip_[leg] = 0.0;
+    if (input.stepping && !in_contact) slip_[leg] = 0.0;
     stance_time_[leg] = in_contact ? stance_time_[leg] + dt : 0.0;
     speed_[leg] = v_filtered_.col(leg).norm();
   }
   excess_speed_ = excess(speed_, input);
   const Eigen::Vector4d excess_slip =
-      soles_move ? excess(sliding_speed(input), input) : excess_speed_;
+      input.stepping ? excess(sliding_speed(input), input) : excess_speed_;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const bool loaded = !soles_move || input.loads[leg] > kMinLoad;
+    const bool loaded = !input.stepping || input.loads[leg] > kMinLoad;
     const bool is_slipping =
         loaded && stance_time_[leg] > settling_time && excess_slip[leg] > gains.slip_speed;
     const double step = is_slipping ? dt / kDetectionTime : -dt / kRecoveryTime;

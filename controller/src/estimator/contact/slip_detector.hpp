@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "surefoot/gains.hpp"
 #include "surefoot/math.hpp"
 
@@ -14,10 +12,10 @@ struct FootSlipInput {
   const Eigen::Vector4d& contact;  ///< contact confidence per foot, 0 .. 1
   const Eigen::Vector4d& loads;    ///< normal force of each foot / weight
   const Vector3& normal;           ///< of the ground, world axes
-  /// true: feet step. Soft soles sink and rise when their load changes, so only velocities along
-  /// the ground count. A foot that lifts off moves before its contact confidence falls, so a foot
-  /// counts only while it has load. Its slip confidence becomes 0 when it lifts off. All this also
-  /// holds for 0.3 s after the last step.
+  /// true: feet step, or stepped lately. Soft soles sink and rise when their load changes, so only
+  /// velocities along the ground count. A foot that lifts off moves before its contact confidence
+  /// falls, so a foot counts only while it has load. Its slip confidence becomes 0 when it lifts
+  /// off.
   bool stepping;
 };
 
@@ -55,8 +53,7 @@ class SlipDetector {
   FeetMatrix v_filtered_ = FeetMatrix::Zero();
   Eigen::Vector4d speed_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d excess_speed_ = Eigen::Vector4d::Zero();
-  double time_since_steps_ = std::numeric_limits<double>::infinity();  // [s]
-  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();              // [s] time since touchdown
+  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();  // [s] time since touchdown
   Eigen::Vector4d slip_ = Eigen::Vector4d::Zero();
 };
 

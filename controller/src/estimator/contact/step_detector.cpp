@@ -18,6 +18,9 @@ constexpr double kMinSwing = 0.05;
 constexpr double kImpactTime = 0.08;
 // [s] Time for which all feet stand before the robot rests. Chosen: impacts vibrate for 50 ms.
 constexpr double kSettlingTime = 0.3;
+// [s] Time after the last step for which soles still sink. Chosen: longer than the last ramp of the
+// loads, and shorter than the time until a standing robot is pushed.
+constexpr double kAfterSteps = 0.3;
 }  // namespace
 
 void StepDetector::update(const Eigen::Vector4d& contact, double dt) noexcept {
@@ -33,10 +36,15 @@ void StepDetector::update(const Eigen::Vector4d& contact, double dt) noexcept {
     second_last_ = last_;
     last_ = 0.0;
   }
+  time_since_steps_ = steps() ? 0.0 : time_since_steps_ + dt;
 }
 
-bool StepDetector::steps() const noexcept { return second_last_ < kMemory; }
+bool StepDetector::steps() const noexcept { return planned_ || second_last_ < kMemory; }
 
-bool StepDetector::rests() const noexcept { return rest_time_ > kSettlingTime; }
+bool StepDetector::stepped_lately() const noexcept {
+  return steps() || time_since_steps_ < kAfterSteps;
+}
+
+bool StepDetector::rests() const noexcept { return !planned_ && rest_time_ > kSettlingTime; }
 
 }  // namespace surefoot

@@ -2,6 +2,7 @@
 #include "estimator/external_wrench/payload_observer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 
@@ -23,6 +24,12 @@ Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
   return size > max_force ? Vector3(max_force / size * value) : value;
 }
 
+// Return the rotation from heading axes (x forward, z up) to world axes.
+Matrix3 heading(const Dynamics& dynamics) noexcept {
+  const Matrix3& R = dynamics.R_world_base();
+  return exp_so3(std::atan2(R(1, 0), R(0, 0)) * Vector3::UnitZ()).toRotationMatrix();
+}
+
 }  // namespace
 
 void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
@@ -31,7 +38,7 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   const Vector3& angular = dynamics.L_world_com();
   if (stepping) {
     force_ = force_at_rest_;
-    moment_ = moment_at_rest_;
+    moment_ = heading(dynamics) * moment_at_rest_;
   }
   if (stepping || !supported) {
     reset_momentum(gains, linear, angular);
@@ -50,7 +57,7 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
       force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
       moment_ = limit_norm(-moment, kMaxLever * max_force);
       force_at_rest_ = force_;
-      moment_at_rest_ = moment_;
+      moment_at_rest_ = heading(dynamics).transpose() * moment_;
     }
     reset_momentum(gains, linear, angular);
     started_ = true;
@@ -68,7 +75,7 @@ void PayloadObserver::average_at_rest(const Dynamics& dynamics, double dt) noexc
   if (dynamics.v_world_com().norm() > kRestSpeed) return;
   const double share = dt / (dt + kRestTime);
   force_at_rest_ += share * (force_ - force_at_rest_);
-  moment_at_rest_ += share * (moment_ - moment_at_rest_);
+  moment_at_rest_ += share * (heading(dynamics).transpose() * moment_ - moment_at_rest_);
 }
 
 // Set the predicted momentum to the value with which the present momentum gives the present

@@ -14,8 +14,8 @@ namespace surefoot {
 ///   m dv_com/dt = sum f + m g + F,   dL_com/dt = sum (p - p_com) x f + N.
 /// A first-order momentum observer estimates F and N without measured accelerations (De Luca,
 /// Mattone 2003, there for joints). The estimate is bounded. It does not change while the feet do
-/// not carry the robot. While feet step, it is the mean of the last second at rest: a push that
-/// makes a standing robot step is no payload.
+/// not carry the robot. While feet step, it is the mean of the last second at rest, whose
+/// moment turns with the robot: a push that makes a standing robot step is no payload.
 ///
 /// The contact forces come from joint torques, so a scale error of the torques appears as an
 /// external wrench too. This is harmless: if the controller compensates this wrench, the commanded
@@ -52,7 +52,8 @@ class PayloadObserver {
   // [N.s], [N.m.s] Momentum predicted from contact forces, gravity and the estimated wrench.
   Vector3 linear_momentum_ = Vector3::Zero(), angular_momentum_ = Vector3::Zero();
   Vector3 force_ = Vector3::Zero(), moment_ = Vector3::Zero();
-  // Mean wrench of about the last second in which the robot stood at rest.
+  // Mean wrench of about the last second in which the robot stood at rest: force in world axes,
+  // moment in heading axes, because the lever arm of a payload turns with the robot.
   Vector3 force_at_rest_ = Vector3::Zero(), moment_at_rest_ = Vector3::Zero();
 };
 
