@@ -84,7 +84,7 @@ BOOST_FIXTURE_TEST_CASE(pushed_walk_trots_and_then_walks_again, GaitWalkFixture)
   push.setZero();
   count(velocity, 2.0);
   count(velocity, 2.0);
-  BOOST_TEST((ticks[1] > 500 && ticks[2] == 0));
+  BOOST_TEST((ticks[1] > 400 && ticks[2] == 0));
 }
 
 // All feet stand while the order changes, so the body must be slow before.
