@@ -1,0 +1,137 @@
+"""Hypotheses about a walking log: healthy, or one fault. Each is fitted by robust least squares.
+
+A healthy robot has small errors: every parameter has a normal prior of the size that is common. A
+fault releases the prior of one parameter, or exchanges legs, or delays the IMU.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot.estimate.checks.walking.gravity import gravity_equations
+from surefoot.estimate.checks.walking.identities import (
+    ACC_BIAS,
+    CALF,
+    GAIN,
+    GYRO_BIAS,
+    LOGGED,
+    PARAMETERS,
+    Equations,
+    Order,
+    feet_equations,
+    force_equations,
+)
+from surefoot.estimate.checks.walking.imu_path import ImuIntegrals
+from surefoot.estimate.checks.walking.leg_paths import LegPaths
+from surefoot.estimate.checks.walking.stances import Stances
+from surefoot.geometry.batch_rotations import Array
+
+# Standard deviations of healthy parameters. Assumed, because the vendor gives no values: gains
+# within a few percent, biases as the gains start_gyroscope_bias and start_accelerometer_bias of the
+# estimator, calves zeroed by hand to a degree.
+HEALTHY = np.repeat([0.03, 0.02, 0.2, 0.02], [3, 3, 3, 4])
+FREE = 50.0  # factor on the standard deviation of the parameters of a fault. Chosen: almost flat
+OUTLIER = 3.0  # residual over RMS above which the weight falls (Huber)
+ITERATIONS = 4
+DELAYS = 0.001 * np.arange(-50, 51, 10)  # [s] delays of the IMU that are tried first
+FINE_DELAYS = 0.001 * np.arange(-8, 9, 4)
+FAULTS = {
+    **{f"gain {k}": [GAIN.start + k] for k in range(3)},
+    "gyroscope bias": list(range(GYRO_BIAS.start, GYRO_BIAS.stop)),
+    "accelerometer bias": list(range(ACC_BIAS.start, ACC_BIAS.stop)),
+    **{f"calf {k}": [CALF.start + k] for k in range(4)},
+}
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A fitted hypothesis.
+
+    Attributes:
+        fault: Key of FAULTS, "healthy", "order" or "delay".
+        cost: Negative logarithm of the likelihood, up to a constant.
+        x: (PARAMETERS,) parameters.
+        order: Order of the legs.
+        delay: Delay of the IMU against the legs [s].
+    """
+
+    fault: str
+    cost: float
+    x: Array
+    order: Order = LOGGED
+    delay: float = 0.0
+
+
+class WalkingEvidence:
+    """Equations of a log for any order of legs and any delay."""
+
+    def __init__(self, paths: LegPaths, stances: Stances, integrals: ImuIntegrals) -> None:
+        self._paths, self._stances, self._integrals = paths, stances, integrals
+        self._gravity = gravity_equations(paths, stances, integrals.at(paths.time))
+
+    def fits(self) -> list[Fit]:
+        """Return the fits of all hypotheses, the healthy one first."""
+        equations = self._equations()
+        fits = [fit("healthy", equations, HEALTHY)]
+        for fault, columns in FAULTS.items():
+            scale = HEALTHY.copy()
+            scale[columns] *= FREE
+            fits.append(fit(fault, equations, scale))
+        orders = [o for o in itertools.permutations(range(4)) if o != LOGGED]
+        order = min(orders, key=lambda o: _cost(self._equations(o), np.zeros(PARAMETERS)))
+        fits.append(fit("order", self._equations(order), HEALTHY, order))
+        delay = 0.0
+        for steps in (DELAYS, FINE_DELAYS):
+            delay = min(
+                delay + steps,
+                key=lambda d: _cost(self._equations(delay=d), np.zeros(PARAMETERS)),
+            )
+        fits.append(fit("delay", self._equations(delay=delay), HEALTHY, delay=delay))
+        return fits
+
+    def _equations(self, order: Order = LOGGED, delay: float = 0.0) -> list[Equations]:
+        imu = self._integrals.at(self._paths.time + delay)
+        arguments = (self._paths, self._stances, imu, order)
+        return [feet_equations(*arguments), force_equations(*arguments), *self._gravity]
+
+
+def fit(
+    fault: str,
+    equations: Sequence[Equations],
+    scale: Array,
+    order: Order = LOGGED,
+    delay: float = 0.0,
+) -> Fit:
+    """Fit the parameters; `scale` (PARAMETERS,) are their standard deviations before the log."""
+    x = np.zeros(PARAMETERS)
+    for _ in range(ITERATIONS):
+        H, g = np.diag(scale**-2.0), np.zeros(PARAMETERS)
+        for e in equations:
+            residual = e.y + e.C @ x
+            size = np.linalg.norm(residual, axis=1)
+            rms = robust_rms(residual)
+            weight = np.minimum(1.0, OUTLIER * rms / np.maximum(size, 1e-12))
+            weight = np.sqrt(weight * e.count / max(len(size), 1)) / max(rms, 1e-12)
+            C = (e.C * weight[:, None, None]).reshape(-1, PARAMETERS)
+            H += C.T @ C
+            g += C.T @ (e.y * weight[:, None]).ravel()
+        x = -np.linalg.solve(H, g)
+    return Fit(fault, _cost(equations, x) + 0.5 * float(np.sum((x / scale) ** 2)), x, order, delay)
+
+
+def _cost(equations: Sequence[Equations], x: Array) -> float:
+    rms = [robust_rms(e.y + e.C @ x) for e in equations]
+    return float(sum(e.count * np.log(max(s, 1e-12)) for e, s in zip(equations, rms, strict=True)))
+
+
+def robust_rms(residual: Array) -> float:
+    """Return the RMS of the rows (m, d), with outliers cut to OUTLIER times the RMS."""
+    size = np.linalg.norm(residual, axis=1)
+    if len(size) == 0:
+        return 1.0
+    bound = OUTLIER * np.sqrt(np.mean(np.minimum(size, OUTLIER * np.median(size)) ** 2))
+    return float(np.sqrt(np.mean(np.minimum(size, bound) ** 2)))
