@@ -61,15 +61,17 @@ def check_walk(walk: WalkingLog) -> list[str]:
     Raises:
         Error: Legs are exchanged, or the gyroscope has a wrong sign or unit.
     """
-    integrals = ImuIntegrals(walk.robot, walk.log, walk.stances.stride)
-    healthy, *faults = WalkingEvidence(walk.paths, walk.stances, integrals).fits()
+    with np.errstate(over="ignore", invalid="ignore"):  # absurd values explain nothing
+        integrals = ImuIntegrals(walk.robot, walk.log, walk.stances.stride)
+        healthy, *faults = WalkingEvidence(walk.paths, walk.stances, integrals).fits()
     best = min(faults, key=lambda fit: fit.cost)
     evidence = healthy.cost - best.cost
     text = _describe(best) if evidence > MIN_EVIDENCE else None
     if text is not None and _is_error(best) and evidence > STRONG_EVIDENCE:
         raise Error(f"{walk.log.source}: {text}")
     order = best.order if text is not None else LOGGED
-    forces = check_foot_forces(walk.robot, walk.log, walk.paths, walk.stances, order)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        forces = check_foot_forces(walk.log, walk.paths, walk.stances, order)
     return [*([text] if text is not None else []), *forces]
 
 
@@ -115,8 +117,8 @@ def _describe(fit: Fit) -> str | None:
 def _describe_gain(axis: str, gain: float) -> str | None:
     if gain < 0.0:
         return (
-            f"column 'gyroscope': got an axis {axis} of the base that turns {gain:.2f} times "
-            "as far as the legs show, expected the same sign"
+            f"column 'gyroscope': got rates by which axis {axis} of the base turns {gain:.2f} "
+            "times as far as the legs show, expected the same sign"
         )
     if gain > 0.5 * DEG_PER_RAD:
         return (

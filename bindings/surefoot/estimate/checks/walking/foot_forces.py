@@ -6,12 +6,11 @@ import itertools
 
 import numpy as np
 import numpy.typing as npt
+from numpy.lib.stride_tricks import sliding_window_view
 
-from surefoot._core import Robot
 from surefoot.estimate.checks.walking.identities import LOGGED, Order
 from surefoot.estimate.checks.walking.leg_paths import STEP, LegPaths
-from surefoot.estimate.checks.walking.stances import Stances
-from surefoot.estimate.foot_placements import foot_placements
+from surefoot.estimate.checks.walking.stances import Stances, phases
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.column_definitions import FOOT_COLUMNS
@@ -27,23 +26,23 @@ ALIKE = 0.5
 # Smallest r^2, mean over the feet, of the right order. Chosen: below the 0.2 of a slow walk
 # without torques.
 MIN_CORRELATION = 0.1
-# Duration [strides] and [s] of the windows in which a foot force must change, the longer counts.
+# Duration [strides] and [s] of the windows in which a foot force must change; the longer one
+# counts. A dead sensor does not change in all windows of twice this time.
 CHANGE_STRIDES, MIN_CHANGE_TIME = 2.0, 1.0
+WINDOW_INTERVAL = 0.1  # [s] from one window to the next
 # Standard deviation in a window, as a share of the usual one of the foot, below which the sensor
 # is dead. Chosen: above the noise, 3 N of 40 N, and below a third of the load.
 DEAD_SHARE = 0.15
 # Standard deviation as a share of that of the other feet, below which a foot was never alive.
 NEVER_SHARE = 0.03
-_ANGLE_STEP = 1e-4  # [rad] step of the numerical Jacobian
 
 
 def check_foot_forces(
-    robot: Robot, log: SensorLog, paths: LegPaths, stances: Stances, order: Order = LOGGED
+    log: SensorLog, paths: LegPaths, stances: Stances, order: Order = LOGGED
 ) -> list[str]:
     """Compare the foot forces with the loads of the legs; return warnings.
 
     Args:
-        robot: The robot.
         log: The log.
         paths: Paths of the feet.
         stances: Stances of the feet.
@@ -54,19 +53,18 @@ def check_foot_forces(
     forces = {name: force for name, force in forces.items() if np.ptp(force) > 0.0}
     if not forces:
         return []
-    walks = stances.stepping.all(axis=1)
-    loads, alike = leg_loads(robot, log, paths), np.eye(4, dtype=np.bool_)
+    walks = np.asarray(stances.stepping.all(axis=1), dtype=np.bool_)
+    loads, alike = leg_loads(log, paths), np.eye(4, dtype=np.bool_)
     if loads is None:
         loads = stances.low.astype(float)
-        alike = np.corrcoef(loads[walks], rowvar=False) > ALIKE if walks.any() else alike
+        if walks.any():
+            alike |= np.asarray(np.corrcoef(loads[walks], rowvar=False) > ALIKE)
     loads = (loads * stances.low)[:, order]
     used = ((stances.middle | ~stances.low) & walks[:, None])[:, order]
     doubts = []
     for name, force in forces.items():
-        dead, found = _dead_feet(name, force, walks, paths, stances)
-        doubts += found
-        if not dead:
-            doubts += _check_order(name, explained_shares(force, loads, used), alike)
+        dead = _dead_feet(name, force, walks, paths, stances)
+        doubts += dead or _check_order(name, explained_shares(force, loads, used), alike)
     return doubts
 
 
@@ -78,19 +76,15 @@ def on_grid(log: SensorLog, name: str, time: Array) -> Array:
     return np.stack([np.interp(time, known, v[rows]) for v in values[good].T], axis=1)
 
 
-def leg_loads(robot: Robot, log: SensorLog, paths: LegPaths) -> Array | None:
+def leg_loads(log: SensorLog, paths: LegPaths) -> Array | None:
     """Return the vertical force (n, 4) [N] of each leg from its torques; None without torques."""
     if "tauEst" not in log.columns or not np.any(log.columns["tauEst"]):
         return None
-    q, torque = on_grid(log, "q", paths.time), on_grid(log, "tauEst", paths.time)
-    centre = foot_placements(robot, q)[0]
-    J = np.zeros((len(q), 4, 3, 3))
-    for joint in range(3):
-        step = np.tile(_ANGLE_STEP * np.eye(3)[joint], 4)
-        J[:, :, :, joint] = (foot_placements(robot, q + step)[0] - centre) / _ANGLE_STEP
-    transposed = np.swapaxes(J, 2, 3) + 1e-6 * np.eye(3)  # a stretched leg is singular
-    force = -np.linalg.solve(transposed, torque.reshape(-1, 4, 3, 1))[:, :, 2, 0]
-    return np.maximum(force, 0.0)
+    torque = on_grid(log, "tauEst", paths.time).reshape(-1, 4, 3, 1)
+    # A stretched leg is singular.
+    transposed = np.swapaxes(paths.jacobian, 2, 3) + 1e-6 * np.eye(3)
+    force = -np.linalg.solve(transposed, torque)[:, :, 2, 0]
+    return np.asarray(np.maximum(force, 0.0))
 
 
 def explained_shares(force: Array, load: Array, used: npt.NDArray[np.bool_]) -> Array:
@@ -133,40 +127,26 @@ def _check_order(name: str, shares: Array, alike: npt.NDArray[np.bool_]) -> list
 
 def _dead_feet(
     name: str, force: Array, walks: npt.NDArray[np.bool_], paths: LegPaths, stances: Stances
-) -> tuple[list[int], list[str]]:
-    """Return the feet whose values do not change although the leg steps, and a warning for each."""
+) -> list[str]:
+    """Return a warning for each foot whose values do not change although the leg steps."""
     size = round(max(MIN_CHANGE_TIME, CHANGE_STRIDES * stances.stride) / STEP)
-    first = np.arange(0, len(force) - size + 1, round(0.1 / STEP))
-    steady = np.concatenate([[0], np.cumsum(walks)])
-    first = first[steady[first + size] - steady[first] == size]
-    if len(first) < 2:
-        return [], []
+    every = round(WINDOW_INTERVAL / STEP)
+    first = np.flatnonzero(sliding_window_view(walks, size).all(axis=1))[::every]
+    if len(first) == 0:
+        return []
     change = np.array([force[k : k + size].std(axis=0) for k in first])
     usual = np.percentile(change, 90.0, axis=0)
-    dead, doubts = [], []
+    doubts = []
     for leg, foot in enumerate(LEGS):
-        others = float(np.median(np.delete(usual, leg)))
-        still = change[:, leg] < DEAD_SHARE * usual[leg]
-        if usual[leg] < NEVER_SHARE * others:
-            still[:] = True
-        if not still[-1] and not _lasts(still, size):
+        never = usual[leg] < NEVER_SHARE * np.median(np.delete(usual, leg))
+        still = (change[:, leg] < DEAD_SHARE * usual[leg]) | never
+        longest = max(phases(still).tolist(), key=lambda run: run[1] - run[0], default=[0, 0])
+        if (longest[1] - longest[0]) * every < size:
             continue
-        onset = int(np.flatnonzero(~still)[-1] + 1) if still[-1] and not still.all() else 0
-        if not still.all() and not still[-1]:
-            onset = int(np.argmax(still))
-        value = float(np.median(force[first[onset] : first[onset] + size, leg]))
-        dead.append(leg)
+        onset = first[longest[0]]
+        value = float(np.median(force[onset : onset + size, leg]))
         doubts.append(
-            f"{name} of {foot} stays at {value:.0f} from {paths.time[first[onset]]:.1f} s on, "
+            f"{name} of {foot} stays at {value:.0f} from {paths.time[onset]:.1f} s on, "
             "although the leg steps"
         )
-    return dead, doubts
-
-
-def _lasts(still: npt.NDArray[np.bool_], size: int) -> bool:
-    """Return whether `still` holds in windows that cover more than twice their length."""
-    longest = run = 0
-    for value in still:
-        run = run + 1 if value else 0
-        longest = max(longest, run)
-    return longest * round(0.1 / STEP) > size
+    return doubts

@@ -81,17 +81,22 @@ class WalkingEvidence:
             scale = HEALTHY.copy()
             scale[columns] *= FREE
             fits.append(fit(fault, equations, scale))
-        orders = [o for o in itertools.permutations(range(4)) if o != LOGGED]
-        order = min(orders, key=lambda o: _cost(self._equations(o), np.zeros(PARAMETERS)))
+        orders = [(a, b, c, d) for a, b, c, d in itertools.permutations(LOGGED)][1:]
+        order = min(orders, key=self._feet_cost)
         fits.append(fit("order", self._equations(order), HEALTHY, order))
         delay = 0.0
         for steps in (DELAYS, FINE_DELAYS):
-            delay = min(
-                delay + steps,
-                key=lambda d: _cost(self._equations(delay=d), np.zeros(PARAMETERS)),
-            )
+            delay = float(min(delay + steps, key=self._force_cost))
         fits.append(fit("delay", self._equations(delay=delay), HEALTHY, delay=delay))
         return fits
+
+    def _feet_cost(self, order: Order) -> float:
+        imu = self._integrals.at(self._paths.time)
+        return robust_rms(feet_equations(self._paths, self._stances, imu, order, False).y)
+
+    def _force_cost(self, delay: float) -> float:
+        imu = self._integrals.at(self._paths.time + delay)
+        return robust_rms(force_equations(self._paths, self._stances, imu, LOGGED, False).y)
 
     def _equations(self, order: Order = LOGGED, delay: float = 0.0) -> list[Equations]:
         imu = self._integrals.at(self._paths.time + delay)
@@ -107,15 +112,16 @@ def fit(
     delay: float = 0.0,
 ) -> Fit:
     """Fit the parameters; `scale` (PARAMETERS,) are their standard deviations before the log."""
-    x = np.zeros(PARAMETERS)
+    x: Array = np.zeros(PARAMETERS)
     for _ in range(ITERATIONS):
-        H, g = np.diag(scale**-2.0), np.zeros(PARAMETERS)
+        H = np.asarray(np.diag(scale**-2.0))
+        g = np.zeros(PARAMETERS)
         for e in equations:
             residual = e.y + e.C @ x
             size = np.linalg.norm(residual, axis=1)
             rms = robust_rms(residual)
-            weight = np.minimum(1.0, OUTLIER * rms / np.maximum(size, 1e-12))
-            weight = np.sqrt(weight * e.count / max(len(size), 1)) / max(rms, 1e-12)
+            huber = np.minimum(1.0, OUTLIER * rms / np.maximum(size, 1e-12))
+            weight = np.sqrt(huber * e.count / max(len(size), 1)) / max(rms, 1e-12)
             C = (e.C * weight[:, None, None]).reshape(-1, PARAMETERS)
             H += C.T @ C
             g += C.T @ (e.y * weight[:, None]).ravel()

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Robot
-from surefoot.estimate.foot_placements import foot_placements
+from surefoot.estimate.foot_placements import foot_jacobians, foot_placements
 from surefoot.geometry.batch_rotations import Array, rotation_vectors
 from surefoot.sensor_log.sensor_log import SensorLog
 
@@ -24,7 +24,6 @@ MIN_MOTION = 0.1
 # [s] Longest step of the clock that the joint angles are interpolated over. Chosen: four samples
 # at 200 Hz; in a longer gap a swing foot moves by several centimetres.
 MAX_GAP = 0.02
-_CALF_STEP = 0.01  # [rad] step of the numerical derivative with respect to the calf angle
 
 
 @dataclass(frozen=True)
@@ -38,20 +37,27 @@ class LegPaths:
     Attributes:
         time: (n,) [s], step STEP.
         valid: (n,) false in gaps of the log.
+        angles: (n, 12) joint angles [rad].
         height: (n, 4) height of the foot centres in the logged order, base axes [m].
         path: (n, 4, 4, 3) path of the foot of leg k at place s, without the distance that the foot
             has rolled [m]; indices n, s, k, xyz.
         arm: (n, 4, 4, 3) from the IMU to the contact point [m].
-        calf: (n, 4, 3) derivative of the path in the logged order with respect to the angle of the
-            calf [m/rad].
+        jacobian: (n, 4, 3, 3) derivative of the path in the logged order with respect to the
+            angles of hip, thigh and calf [m/rad].
     """
 
     time: Array
     valid: npt.NDArray[np.bool_]
+    angles: Array
     height: Array
     path: Array
     arm: Array
-    calf: Array
+    jacobian: Array
+
+    @property
+    def calf(self) -> Array:
+        """(n, 4, 3) derivative of the path with respect to the angle of the calf [m/rad]."""
+        return np.asarray(self.jacobian[:, :, :, 2])
 
 
 def leg_paths(robot: Robot, log: SensorLog) -> LegPaths | None:
@@ -74,10 +80,8 @@ def leg_paths(robot: Robot, log: SensorLog) -> LegPaths | None:
         moved, point, centre = _contact_paths(robot, angles.reshape(n, 4, 3)[:, legs])
         path[:, np.arange(4), legs], arm[:, np.arange(4), legs] = moved, point
         height = centre[:, :, 2] if shift == 0 else height
-    calf_step = np.array([0.0, 0.0, _CALF_STEP])
-    bent = _contact_paths(robot, angles.reshape(n, 4, 3) + calf_step)[0]
-    calf = (bent - path[:, np.arange(4), np.arange(4)]) / _CALF_STEP
-    return LegPaths(grid, valid, height, path, arm, calf)
+    jacobian = foot_jacobians(robot, angles)
+    return LegPaths(grid, valid, angles, height, path, arm, jacobian)
 
 
 def _first_motion(time: Array, q: Array) -> float:

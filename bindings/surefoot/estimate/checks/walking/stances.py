@@ -13,7 +13,6 @@ import numpy.typing as npt
 from numpy.lib.stride_tricks import sliding_window_view
 
 from surefoot.estimate.checks.walking.leg_paths import STEP, LegPaths
-from surefoot.geometry.batch_rotations import Array
 
 # [s] Half of the window in which the lowest and the highest position of a foot are searched.
 # Chosen: the window contains a swing of every gait that is not very slow; in a slower gait a foot
@@ -79,7 +78,7 @@ def _middle_parts(low: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
     return middle
 
 
-def phases(active: npt.NDArray[np.bool_]) -> Array:
+def phases(active: npt.NDArray[np.bool_]) -> npt.NDArray[np.int64]:
     """Return first row and end row (k, 2) of each phase in which `active` (n,) is true."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], active.astype(int), [0]])))
-    return edges.reshape(-1, 2)
+    return np.asarray(edges.reshape(-1, 2), dtype=np.int64)
