@@ -20,9 +20,14 @@ from surefoot.sensor_log.sensor_log import SensorLog
 # Number of swings of every leg from which on a log shows a walking robot. Chosen: a robot that
 # regains its balance makes fewer.
 MIN_STEPS = 4
-# Smallest gain of the logarithm of the likelihood over healthy sensors: for a warning, and for an
-# error. Chosen: healthy logs have up to 1.
-MIN_EVIDENCE, STRONG_EVIDENCE = 1.5, 10.0
+# Smallest gain of the logarithm of the likelihood over healthy sensors. Chosen: healthy logs have
+# up to 1.
+MIN_EVIDENCE = 1.5
+# Smallest gain of the logarithm of the RMS of one identity, where other parameters cannot replace
+# the fault: for a warning by kind of fault, and for an error. Chosen: 0.36 and more in simulated
+# logs with half or twice the gain, 1.2 with a delay, 1.3 with a wrong sign or order.
+IMPROVEMENTS = {"gain": 0.2, "delay": 0.2}
+ERROR_IMPROVEMENT = 0.5
 # Smallest fault that counts. Chosen: what an estimate does not survive unharmed, and several times
 # what sole radius, mounting and calibration cause.
 MIN_SCALE = 1.25  # ratio of the gyroscope to the legs, or its inverse
@@ -65,14 +70,20 @@ def check_walk(walk: WalkingLog) -> list[str]:
         integrals = ImuIntegrals(walk.robot, walk.log, walk.stances.stride)
         healthy, *faults = WalkingEvidence(walk.paths, walk.stances, integrals).fits()
     best = min(faults, key=lambda fit: fit.cost)
-    evidence = healthy.cost - best.cost
-    text = _describe(best) if evidence > MIN_EVIDENCE else None
-    if text is not None and _is_error(best) and evidence > STRONG_EVIDENCE:
+    text = _describe(best) if _is_proven(healthy, best) else None
+    if text is not None and _is_error(best):
         raise Error(f"{walk.log.source}: {text}")
     order = best.order if text is not None else LOGGED
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         forces = check_foot_forces(walk.log, walk.paths, walk.stances, order)
     return [*([text] if text is not None else []), *forces]
+
+
+def _is_proven(healthy: Fit, best: Fit) -> bool:
+    """Return whether a fault explains a log clearly better than healthy sensors."""
+    better = np.log(healthy.rms / np.maximum(best.rms, 1e-12)).max()
+    needed = ERROR_IMPROVEMENT if _is_error(best) else IMPROVEMENTS.get(best.fault.split()[0], 0.0)
+    return bool(healthy.cost - best.cost > MIN_EVIDENCE and better >= needed)
 
 
 def _is_error(fit: Fit) -> bool:

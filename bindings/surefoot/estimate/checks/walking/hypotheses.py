@@ -55,6 +55,7 @@ class Fit:
         fault: Key of FAULTS, "healthy", "order" or "delay".
         cost: Negative logarithm of the likelihood, up to a constant.
         x: (PARAMETERS,) parameters.
+        rms: RMS of the residuals of each identity.
         order: Order of the legs.
         delay: Delay of the IMU against the legs [s].
     """
@@ -62,6 +63,7 @@ class Fit:
     fault: str
     cost: float
     x: Array
+    rms: Array
     order: Order = LOGGED
     delay: float = 0.0
 
@@ -125,13 +127,11 @@ def fit(
             C = (e.C * weight[:, None, None]).reshape(-1, PARAMETERS)
             H += C.T @ C
             g += C.T @ (e.y * weight[:, None]).ravel()
-        x = -np.linalg.solve(H, g)
-    return Fit(fault, _cost(equations, x) + 0.5 * float(np.sum((x / scale) ** 2)), x, order, delay)
-
-
-def _cost(equations: Sequence[Equations], x: Array) -> float:
-    rms = [robust_rms(e.y + e.C @ x) for e in equations]
-    return float(sum(e.count * np.log(max(s, 1e-12)) for e, s in zip(equations, rms, strict=True)))
+        x = np.asarray(-np.linalg.solve(H, g), dtype=np.float64)
+    rms = np.array([robust_rms(e.y + e.C @ x) for e in equations])
+    counts = np.array([e.count for e in equations])
+    cost = float(counts @ np.log(np.maximum(rms, 1e-12)) + 0.5 * np.sum((x / scale) ** 2))
+    return Fit(fault, cost, x, rms, order, delay)
 
 
 def robust_rms(residual: Array) -> float:

@@ -112,7 +112,9 @@ def force_equations(
             C = np.zeros((len(first), 3, PARAMETERS))
             C[:, :, GAIN] = turn_columns(reach[last]) * ahead[:, None]
             C[:, :, GAIN] -= turn_columns(reach[first]) * behind[:, None]
-            C[:, :, CALF.start + order[place]] = calf[last] - 2.0 * calf[now] + calf[first]
+            bent = calf[last] - 2.0 * calf[now] + calf[first]
+            bent += _cross(ahead, calf[last]) - _cross(behind, calf[first])
+            C[:, :, CALF.start + order[place]] = bent
             Cs.append(C[:, :2] / FORCE_SPAN**2)
     return Equations(np.concatenate(ys), np.concatenate(Cs), count)
 
