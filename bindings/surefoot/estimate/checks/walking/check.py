@@ -20,19 +20,18 @@ from surefoot.sensor_log.sensor_log import SensorLog
 # Number of swings of every leg from which on a log shows a walking robot. Chosen: a robot that
 # regains its balance makes fewer.
 MIN_STEPS = 4
-# Smallest gain of the logarithm of the likelihood over healthy sensors. Chosen: healthy logs have
-# up to 1.
-MIN_EVIDENCE = 1.5
-# Smallest gain of the logarithm of the RMS of one identity, where other parameters cannot replace
-# the fault: for a warning by kind of fault, and for an error. Chosen: 0.36 and more in simulated
-# logs with half or twice the gain, 1.2 with a delay, 1.3 with a wrong sign or order.
-IMPROVEMENTS = {"gain": 0.2, "delay": 0.2}
-ERROR_IMPROVEMENT = 0.5
+# Smallest gain of the logarithm of the likelihood over healthy sensors, for a warning and for an
+# error. Chosen: healthy logs have up to 1, wrong signs 70 and more.
+MIN_EVIDENCE, ERROR_EVIDENCE = 1.5, 5.0
+# Smallest gain of the logarithm of the RMS of one identity, for faults without a parameter whose
+# size could be judged. Chosen: half of what the faults give in simulated logs; in long logs, a
+# small gain would be strong evidence.
+IMPROVEMENTS = {"order": 0.5, "delay": 0.5}
 # Smallest fault that counts. Chosen: what an estimate does not survive unharmed, and several times
 # what sole radius, mounting and calibration cause.
 MIN_SCALE = 1.25  # ratio of the gyroscope to the legs, or its inverse
 MIN_GYRO_BIAS = 0.08  # [rad/s]
-MIN_ACCELEROMETER_BIAS = 0.5  # [m/s^2]
+MIN_ACCELEROMETER_BIAS = 0.6  # [m/s^2]
 MIN_CALF_OFFSET = 0.05  # [rad]
 MIN_DELAY = 0.01  # [s]
 _BIASES = {
@@ -82,8 +81,8 @@ def check_walk(walk: WalkingLog) -> list[str]:
 def _is_proven(healthy: Fit, best: Fit) -> bool:
     """Return whether a fault explains a log clearly better than healthy sensors."""
     better = np.log(healthy.rms / np.maximum(best.rms, 1e-12)).max()
-    needed = ERROR_IMPROVEMENT if _is_error(best) else IMPROVEMENTS.get(best.fault.split()[0], 0.0)
-    return bool(healthy.cost - best.cost > MIN_EVIDENCE and better >= needed)
+    evidence = ERROR_EVIDENCE if _is_error(best) else MIN_EVIDENCE
+    return bool(healthy.cost - best.cost > evidence and better >= IMPROVEMENTS.get(best.fault, 0.0))
 
 
 def _is_error(fit: Fit) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from surefoot.estimate.checks.imu import GRAVITY
 from surefoot.estimate.checks.walking.identities import (
     ACC_BIAS,
     GAIN,
@@ -22,7 +23,6 @@ from surefoot.estimate.checks.walking.leg_paths import STEP, LegPaths
 from surefoot.estimate.checks.walking.stances import Stances
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 
-GRAVITY = 9.81
 # [s] Time between the two directions of gravity that are compared, and between the comparisons.
 # Chosen: short against the drift of a biased gyroscope, long enough for a turn.
 TURN_TIME, INTERVAL = 1.0, 0.1

@@ -31,14 +31,14 @@ from surefoot.estimate.checks.walking.stances import Stances
 from surefoot.geometry.batch_rotations import Array
 
 # Standard deviations of healthy parameters. Assumed, because the vendor gives no values: gains
-# within a few percent, biases as the gains start_gyroscope_bias and start_accelerometer_bias of the
-# estimator, calves zeroed by hand to a degree.
+# within a few percent [1], bias of the gyroscope [rad/s] as gain start_gyroscope_bias, bias of the
+# accelerometer 2 % of gravity [m/s^2], calves [rad] zeroed by hand to a degree.
 HEALTHY = np.repeat([0.03, 0.02, 0.2, 0.02], [3, 3, 3, 4])
 FREE = 50.0  # factor on the standard deviation of the parameters of a fault. Chosen: almost flat
 OUTLIER = 3.0  # residual over RMS above which the weight falls (Huber)
-ITERATIONS = 4
+ITERATIONS = 4  # of the weights. Chosen: the costs change by less than 0.1 in further ones
 DELAYS = 0.001 * np.arange(-50, 51, 10)  # [s] delays of the IMU that are tried first
-FINE_DELAYS = 0.001 * np.arange(-8, 9, 4)
+FINE_DELAYS = 0.001 * np.arange(-8, 9, 4)  # [s] added to the best of them
 FAULTS = {
     **{f"gain {k}": [GAIN.start + k] for k in range(3)},
     "gyroscope bias": list(range(GYRO_BIAS.start, GYRO_BIAS.stop)),
