@@ -34,7 +34,6 @@ TIMES = (5.0, 10.0)  # [s] after the first step or the onset
 FIRST_STEP = 1.5  # [s] latest time of the first command
 VARIANTS: dict[str, tuple[str, ...]] = {
     "all columns": (),
-    "no torques": ("tauEst",),
     "no torques, dq, quaternion": ("tauEst", "dq", "quaternion"),
 }
 

@@ -32,7 +32,7 @@ IMPROVEMENTS = {"order": 0.5, "delay": 0.5}
 MIN_SCALE = 1.25  # ratio of the gyroscope to the legs, or its inverse
 MIN_GYRO_BIAS = 0.08  # [rad/s]
 MIN_ACCELEROMETER_BIAS = 0.6  # [m/s^2]
-MIN_CALF_OFFSET = 0.05  # [rad]
+MIN_CALF_OFFSET = 0.07  # [rad]
 MIN_DELAY = 0.01  # [s]
 _BIASES = {
     "gyroscope": ("rad/s", MIN_GYRO_BIAS),

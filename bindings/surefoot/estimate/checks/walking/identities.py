@@ -29,7 +29,8 @@ FEET_SPAN, FORCE_SPAN = 0.04, 0.03
 PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 # Slices of the parameters in the coefficients.
 GAIN, GYRO_BIAS, ACC_BIAS, CALF = slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 13)
-PARAMETERS = 13
+ALL_CALVES = 13
+PARAMETERS = 14
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,9 @@ class Equations:
     """Linear equations y + C x = 0 of one identity.
 
     The parameters x are the errors of the gyroscope's gains (3), its bias (3) [rad/s], the bias of
-    the accelerometer (3) [m/s^2], all in base axes, and the corrections of the calf angles (4)
-    [rad].
+    the accelerometer (3) [m/s^2], all in base axes, the corrections of the calf angles (4) [rad],
+    and a common correction of all calves (1) [rad]: yielding soles and a wrong radius of the feet
+    change the length of all legs.
 
     Attributes:
         y: (m, d) residuals of healthy sensors [m or m/s^2].
@@ -80,6 +82,7 @@ def feet_equations(
             for sign, leg in ((1.0, order[i]), (-1.0, order[j])):
                 start, end = paths.calf[first, leg], paths.calf[last, leg]
                 C[:, :, CALF.start + leg] = sign * (end - start + _cross(theta, start))
+            C[:, :, ALL_CALVES] = C[:, :, CALF].sum(axis=2)
             Cs.append(C[:, :2])
     return Equations(np.concatenate(ys), np.concatenate(Cs), count)
 
@@ -114,7 +117,7 @@ def force_equations(
             C[:, :, GAIN] -= turn_columns(reach[first]) * behind[:, None]
             bent = calf[last] - 2.0 * calf[now] + calf[first]
             bent += _cross(ahead, calf[last]) - _cross(behind, calf[first])
-            C[:, :, CALF.start + order[place]] = bent
+            C[:, :, CALF.start + order[place]] = C[:, :, ALL_CALVES] = bent
             Cs.append(C[:, :2] / FORCE_SPAN**2)
     return Equations(np.concatenate(ys), np.concatenate(Cs), count)
 
