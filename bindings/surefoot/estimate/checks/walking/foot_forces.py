@@ -48,7 +48,11 @@ def check_foot_forces(
         stances: Stances of the feet.
         order: Leg of the log at each place FR FL RR RL.
     """
-    columns = [name for name in FOOT_COLUMNS if name in log.columns]
+    columns = [
+        name
+        for name in FOOT_COLUMNS
+        if name in log.columns and np.isfinite(log.columns[name]).all(axis=1).any()
+    ]
     forces = {name: on_grid(log, name, paths.time) for name in columns}
     forces = {name: force for name, force in forces.items() if np.ptp(force) > 0.0}
     if not forces:

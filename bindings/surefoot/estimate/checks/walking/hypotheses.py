@@ -122,9 +122,9 @@ def fit(
         for e in equations:
             residual = e.y + e.C @ x
             size = np.linalg.norm(residual, axis=1)
-            rms = robust_rms(residual)
-            huber = np.minimum(1.0, OUTLIER * rms / np.maximum(size, 1e-12))
-            weight = np.sqrt(huber * e.count / max(len(size), 1)) / max(rms, 1e-12)
+            sigma = robust_rms(residual)
+            huber = np.minimum(1.0, OUTLIER * sigma / np.maximum(size, 1e-12))
+            weight = np.sqrt(huber * e.count / max(len(size), 1)) / max(sigma, 1e-12)
             C = (e.C * weight[:, None, None]).reshape(-1, PARAMETERS)
             H += C.T @ C
             g += C.T @ (e.y * weight[:, None]).ravel()

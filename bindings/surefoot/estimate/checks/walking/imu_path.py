@@ -17,13 +17,11 @@ class ImuPath:
 
     Attributes:
         rotation: (n, 3) integral of the gyroscope [rad].
-        velocity: (n, 3) integral of the accelerometer [m/s].
         position: (n, 3) second integral of the accelerometer without its running mean [m].
         mean_force: (n, 3) running mean of the accelerometer [m/s^2].
     """
 
     rotation: Array
-    velocity: Array
     position: Array
     mean_force: Array
 
@@ -47,19 +45,17 @@ class ImuIntegrals:
         self._time, rows = np.unique(log.time[good], return_index=True)
         omega, force = omega[good][rows] @ R.T, force[good][rows] @ R.T
         self._rotation = self._integral(omega)
-        self._velocity = self._integral(force)
+        velocity = self._integral(force)
         early = np.maximum(self._time - 0.5 * mean_time, self._time[0])
         late = np.minimum(self._time + 0.5 * mean_time, self._time[-1])
-        change = self._read(self._velocity, late) - self._read(self._velocity, early)
+        change = self._read(velocity, late) - self._read(velocity, early)
         self._mean = change / np.maximum(late - early, 1e-9)[:, None]
         self._position = self._integral(self._integral(force - self._mean))
 
     def at(self, time: Array) -> ImuPath:
         """Return the integrals at times (n,) [s]."""
-        return ImuPath(
-            *(self._read(v, time) for v in (self._rotation, self._velocity)),
-            *(self._read(v, time) for v in (self._position, self._mean)),
-        )
+        integrals = (self._rotation, self._position, self._mean)
+        return ImuPath(*(self._read(values, time) for values in integrals))
 
     def _integral(self, values: Array) -> Array:
         """Integrate rows (n, 3) by the trapezoidal rule."""

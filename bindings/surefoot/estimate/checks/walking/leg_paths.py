@@ -62,7 +62,9 @@ class LegPaths:
 
 def leg_paths(robot: Robot, log: SensorLog) -> LegPaths | None:
     """Compute the paths of the feet for up to MAX_DURATION; None if the log is too short."""
-    good = np.isfinite(log.time) & np.isfinite(log.columns["q"]).all(axis=1)
+    good = np.isfinite(log.time)
+    for name in ("q", "gyroscope", "accelerometer"):
+        good &= np.isfinite(log.columns[name]).all(axis=1)
     time, rows = np.unique(log.time[good], return_index=True)
     q = log.columns["q"][good][rows]
     if len(time) < 2 or time[-1] - time[0] < MIN_DURATION:

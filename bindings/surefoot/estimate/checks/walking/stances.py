@@ -40,7 +40,6 @@ class Stances:
         steps: (4,) number of swings of each foot.
         stride: Median time from a lift-off to the next one of the same foot [s]; NaN without two
             swings of a foot.
-        leg_length: Median height of the base above the feet [m].
     """
 
     middle: npt.NDArray[np.bool_]
@@ -48,7 +47,6 @@ class Stances:
     stepping: npt.NDArray[np.bool_]
     steps: npt.NDArray[np.int64]
     stride: float
-    leg_length: float
 
 
 def find_stances(paths: LegPaths) -> Stances:
@@ -65,7 +63,7 @@ def find_stances(paths: LegPaths) -> Stances:
     strides = np.concatenate([np.diff(times) for times in lift_offs]) * STEP
     stride = float(np.median(strides)) if len(strides) else float("nan")
     steps = np.array([len(times) for times in lift_offs])
-    return Stances(middle & paths.valid[:, None], low, lifted, steps, stride, leg_length)
+    return Stances(middle & paths.valid[:, None], low, lifted, steps, stride)
 
 
 def _middle_parts(low: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
