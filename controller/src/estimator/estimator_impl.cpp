@@ -119,7 +119,9 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   signals.foot_force_est = low_state.footForceEst;  // the field is packed, so it is copied
   signals.foot_force = low_state.footForce;
   signals.speed = slip.excess_speed();
-  signals.clearance = clearance.clearance();
+  // The feet of a robot that steps land at other heights while some of them are in the air, so the
+  // height of a foot above its last place says nothing about its contact.
+  if (!feet_step()) signals.clearance = clearance.clearance();
   signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
   signals.steps = feet_step();
   contact.update(gains, signals, dt);

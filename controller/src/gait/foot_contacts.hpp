@@ -27,6 +27,9 @@ class FootContacts {
   void update(const GaitClock& clock, const Eigen::Vector4d& contact,
               const std::array<bool, kLegs>& lifting, double dt) noexcept;
 
+  /// Let a foot in the air begin a new swing from where it is: it lifts off in the next update.
+  void restart_swing(int leg) noexcept { phase_[leg] = FootPhase::kStance; }
+
   FootPhase phase(int leg) const noexcept { return phase_[leg]; }
   bool in_stance(int leg) const noexcept {
     return phase_[leg] == FootPhase::kStance || phase_[leg] == FootPhase::kEarlyStance;

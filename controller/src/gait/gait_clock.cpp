@@ -6,6 +6,13 @@
 
 namespace surefoot {
 
+void GaitClock::continue_swing(const GaitTiming& timing, int leg) noexcept {
+  const double progress = swing_progress(leg);
+  start_swing(timing, leg);
+  phase_ = fraction(phase_ + progress * (1.0 - timing.duty));
+  for (int other = 0; other < kLegs; ++other) grounded_[other] = other != leg && in_swing(other);
+}
+
 void GaitClock::advance(const GaitTiming& timing, double max_wait, bool stop, double dt) noexcept {
   timing_ = timing;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -40,6 +40,10 @@ class GaitClock {
     phase_ = fraction(timing.duty - timing.offset[leg]);
   }
 
+  /// Continue the swing of `leg` with another timing, at the same share of the swing. The other
+  /// legs that move with it skip this swing.
+  void continue_swing(const GaitTiming& timing, int leg) noexcept;
+
   /// Advance the phase.
   /// @param max_wait longest wait for feet that should have landed [s]; 0: no foot is late. After a
   ///   wait, the feet that waited unload for kUnloadingTime before they lift off

@@ -39,8 +39,7 @@ StepPattern suitable_pattern(const StepPattern& present, const Gains& gains, con
 
 double acceleration_share(const StepPattern& pattern, const Gains& gains, const GaitSize& size,
                           const WalkVelocity& command, const WalkVelocity& velocity) noexcept {
-  if (only_brakes(command, velocity)) return 1.0;
-  if (!pattern.walk) return kTrotShare;
+  if (!pattern.walk) return only_brakes(command, velocity) ? 1.0 : kTrotShare;
   const double period = gait_timing(pattern, gains, size, command).period;
   const double acceleration = gains.walk_gait_speed * size.speed / period;
   return std::min(1.0, acceleration / (gains.walk_acceleration * kGravity));

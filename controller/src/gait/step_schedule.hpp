@@ -23,11 +23,12 @@ class StepSchedule {
   /// Begin with a trot in which the pair of `leg` lifts off at once.
   void start_recovery(const Gains& gains, int leg) noexcept;
 
-  /// Change the pattern when all feet stand. A trot becomes a walk only at a speed at which a walk
-  /// can go on.
-  /// @param speed of the body trajectory [m/s]
+  /// Change the pattern: a walk becomes a trot at once; a walk begins, or changes the order of its
+  /// feet, when the body is slow and all feet stand.
+  /// @param velocity of the body trajectory
+  /// @param leg of the pair that a trot lifts first
   void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command,
-                      double speed) noexcept;
+                      const WalkVelocity& velocity, int leg) noexcept;
   /// Advance clock and phases.
   /// @param measured measured motion of the body
   /// @param contact contact confidence per foot, 0 .. 1
@@ -36,18 +37,23 @@ class StepSchedule {
                const BodyTrajectory& body, const Eigen::Vector4d& contact, const Stumble& stumble,
                bool stop) noexcept;
 
+  /// Return whether the body must slow down before the pattern can change.
+  bool needs_rest() const noexcept { return needs_rest_; }
   const StepPattern& pattern() const noexcept { return pattern_; }
   const GaitClock& clock() const noexcept { return clock_; }
   const FootContacts& contacts() const noexcept { return contacts_; }
 
  private:
+  // A foot in the air continues its swing; otherwise the pair of `leg` lifts off.
+  void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg) noexcept;
   double longest_wait(const Stumble& stumble) const noexcept;  // [s] of the clock
 
   GaitSize size_;
   StepPattern pattern_;
   GaitClock clock_;
   FootContacts contacts_;
-  bool changes_pattern_ = false;  // no foot lifts off until the pattern has changed
+  bool needs_rest_ = false;  // the body slows down, so that the pattern can change
+  bool stops_ = false;       // no foot lifts off until the pattern has changed
 };
 
 }  // namespace surefoot

@@ -50,6 +50,7 @@ class Stepping {
              double height_offset) noexcept;
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
+  bool recovers(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void update_schedule(const PlannerInput& input, bool walk, const WalkVelocity& command,
                        const HorizontalMotion& measured, bool steady) noexcept;
   void update_ground(const PlannerInput& input, bool steady) noexcept;
@@ -62,7 +63,9 @@ class Stepping {
   GroundPlane ground_;
   BodyTrajectory body_;
   BodySway sway_;
-  bool at_rest_ = false;  // no foot need lift off
+  bool at_rest_ = false;    // no foot need lift off
+  bool recovers_ = false;   // a walk trots because of a push
+  double calm_time_ = 0.0;  // [s] time since the capture point has been where it is planned
 };
 
 }  // namespace surefoot

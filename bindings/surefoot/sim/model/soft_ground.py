@@ -1,8 +1,8 @@
 """Soft ground and soft soles: a linear spring and a damper between each foot and the ground.
 
-Ground and sole are in series, so the depths by which they yield add up. Soft ground alone is
-critically damped. A sole has little damping, so a foot that touches down still moves while its
-force rises.
+Ground and sole are in series, so the depths by which they yield add up, and the weaker damper limits
+the force of an impact: 1 / C = 1 / C_ground + 1 / C_sole. Soft ground alone is critically damped. A
+sole has little damping, so a foot that touches down still moves while its force rises.
 
 MuJoCo has no spring contact. It solves R f = a_ref - a for the contact force f, where a is the
 acceleration, a_ref = -(damping v + stiffness r) / d the reference acceleration at penetration r and
@@ -93,9 +93,11 @@ def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSe
         return
     mass = robot.mass / 4.0
     stiffness = mass * GRAVITY / sink
-    # The damping ratios of ground (1) and sole, each weighted by its share of the depth.
-    damping_ratio = (ground_sink + _SOLE_DAMPING_RATIO * (sink - ground_sink)) / sink
-    damping = damping_ratio * 2.0 * math.sqrt(stiffness * mass)
+    damping = 1.0 / sum(
+        1.0 / _damping(mass, depth, ratio)
+        for depth, ratio in ((ground_sink, 1.0), (sink - ground_sink, _SOLE_DAMPING_RATIO))
+        if depth > 0.0
+    )
     rigid_impedance = FOOT_SOLIMP[0]
     velocity_gain = 2.0 / (FOOT_SOLREF[0] * FOOT_SOLIMP[1])  # of friction on rigid ground
     for name in robot.config.foot_frames:
@@ -116,3 +118,8 @@ def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSe
             * (one_minus_impedance / impedance)
             / ((1.0 - rigid_impedance) / rigid_impedance)
         )
+
+
+def _damping(mass: float, sink: float, ratio: float) -> float:
+    """Return the damping [N.s/m] of a spring that yields by `sink` under this mass."""
+    return ratio * 2.0 * mass * math.sqrt(GRAVITY / sink)

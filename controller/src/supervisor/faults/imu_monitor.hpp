@@ -29,8 +29,8 @@ class ImuMonitor {
   /// @param motion how the body moves
   void update(const IMU& imu, double step, bool changed, ImuMotion motion) noexcept;
   /// Return whether the gyroscope of the last sample is usable. It is not usable if it has changed
-  /// by 3 rad/s or more since the previous sample (kSteps: 6); no body can change its rate so
-  /// fast.
+  /// by 3 rad/s or more since the previous sample; no body can change its rate so fast. While feet
+  /// step (kSteps), touchdowns make it vibrate: the limit is 12, and 4 for the mean of 20 ms.
   bool rates_plausible() const noexcept { return rates_plausible_; }
   /// Return whether the attitude of the last sample is usable. It is not usable if the norm of the
   /// quaternion is not 1, or if the attitude has jumped away from the propagated attitude.
@@ -44,6 +44,7 @@ class ImuMonitor {
  private:
   void judge_rates(const Vector3& w, double step, bool changed, double max_error) noexcept;
   void judge_accelerometer(const Vector3& a, double step, bool changed) noexcept;
+  bool judge_rate_jump(double jump, double step, ImuMotion motion) noexcept;
   bool is_consistent(const Quaternion& attitude, const Vector3& w) const noexcept;
 
   // Attitude of the IMU in the world, propagated by the gyroscope.
@@ -52,6 +53,7 @@ class ImuMonitor {
   Quaternion last_attitude_ = Quaternion::Identity();
   Vector3 w_last_ = Vector3::Zero();      // [rad/s] gyroscope in the last sample
   Vector3 rate_error_ = Vector3::Zero();  // [rad/s] mean of gyroscope minus rate of the attitude
+  double mean_rate_jump_ = 0.0;           // [rad/s] mean change of the gyroscope in a sample
   double mean_rate_ = 0.0;                // [rad/s] mean magnitude of the gyroscope
   double rejected_time_ = 0.0;            // [s] time since the last accepted attitude
   bool started_ = false, gyroscope_bad_ = false, rates_plausible_ = true,
