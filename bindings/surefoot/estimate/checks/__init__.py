@@ -8,11 +8,16 @@ warning.
 from __future__ import annotations
 
 from surefoot._core import Robot
-from surefoot.estimate.checks.imu import check_accelerometer, check_gyroscope
+from surefoot.estimate.checks.imu import (
+    check_accelerometer,
+    check_gyroscope_rotation,
+    check_gyroscope_unit,
+)
 from surefoot.estimate.checks.joints import check_angles, check_velocities
-from surefoot.estimate.checks.leg_order import check_legs
+from surefoot.estimate.checks.leg_order import check_quadrants, check_stance
 from surefoot.estimate.checks.quaternion import check_quaternion
 from surefoot.estimate.checks.torques import check_torques
+from surefoot.estimate.checks.walking.check import check_walk, find_walk
 from surefoot.estimate.checks.windows import cut_windows
 from surefoot.sensor_log.sensor_log import SensorLog
 
@@ -27,11 +32,17 @@ def check_log(robot: Robot, log: SensorLog) -> list[str]:
     """
     doubts = check_accelerometer(robot, log) + check_angles(robot, log)
     windows = cut_windows(log)
-    return [
-        *doubts,
-        *check_velocities(log, windows),
-        *check_gyroscope(log, windows),
-        *check_quaternion(log, windows),
-        *check_legs(robot, log, windows),
-        *check_torques(robot, log),
-    ]
+    doubts += check_velocities(log, windows)
+    check_gyroscope_unit(log)
+    walk = find_walk(robot, log)
+    if walk is None:
+        doubts += check_gyroscope_rotation(log, windows)
+        doubts += check_quaternion(log, windows)
+        check_quadrants(robot, log)
+        doubts += check_stance(robot, log, windows)
+    else:
+        check_quadrants(robot, log)
+        found = check_walk(walk)
+        # With a fault of the gyroscope, the quaternion would look wrong.
+        doubts += found or check_quaternion(log, windows)
+    return [*doubts, *check_torques(robot, log)]

@@ -71,13 +71,11 @@ def _cannot_fall(robot: Robot, log: SensorLog) -> bool:
     return duration > MAX_FREE_FALL or feet_are_loaded(robot, log, np.arange(log.rows))
 
 
-def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare the gyroscope with the rotation of the quaternion; return warnings.
-
-    If the log has no valid quaternion, the rotation of gravity in the accelerometer replaces it.
+def check_gyroscope_unit(log: SensorLog) -> None:
+    """Compare the largest rates of the gyroscope with its range.
 
     Raises:
-        Error: The gyroscope has a wrong unit or sign.
+        Error: The gyroscope seems to be in deg/s.
     """
     size = np.linalg.norm(log.columns["gyroscope"], axis=1)
     size = size[np.isfinite(size)]
@@ -86,6 +84,17 @@ def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
             f"{log.source}: column 'gyroscope': got {np.percentile(size, 99.0):.3g} or more in "
             f"1 % of the rows, expected up to {GYRO_FULL_SCALE:g} rad/s: it seems to be in deg/s"
         )
+
+
+def check_gyroscope_rotation(log: SensorLog, windows: Windows) -> list[str]:
+    """Compare the gyroscope with the rotation of the quaternion; return warnings.
+
+    If the log has no valid quaternion, the rotation of gravity in the accelerometer replaces it.
+    The robot must not walk: its acceleration would look like a rotation of gravity.
+
+    Raises:
+        Error: The gyroscope has a wrong unit or sign.
+    """
     if len(windows) == 0:
         return []
     other_rotations = quaternion_rotations(log, windows)

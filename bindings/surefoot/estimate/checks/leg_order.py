@@ -8,13 +8,13 @@ these distances far better.
 from __future__ import annotations
 
 import itertools
-from typing import Any
 
 import numpy as np
 
 from surefoot._core import Error, Robot
 from surefoot.estimate.checks.torques import feet_are_loaded
 from surefoot.estimate.checks.windows import Windows, finite_median
+from surefoot.estimate.foot_placements import foot_placements
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
@@ -33,40 +33,13 @@ MAX_FOOT_SLIDE = 0.0015
 ORDER_FIT_RATIO = 0.15
 
 
-class _FootKinematics:
-    """Forward kinematics of the feet from the joint angles."""
-
-    def __init__(self, robot: Robot) -> None:
-        import pinocchio  # not at the top of the file, because the import takes a second
-
-        self._pin: Any = pinocchio
-        self._model = pinocchio.Model()
-        self._model.loadFromString(robot.serialized_model())
-        self._data = self._model.createData()
-        self._robot = robot
-        self._q = robot.q_standing()
-        self._q[:3] = 0.0
-        self._motors = list(robot.motor_to_q)
-
-    def __call__(self, angles: Array) -> Array:
-        """Return the foot centres (4, 3) [m] in base axes for joint angles (4, 3) [rad]."""
-        self._q[self._motors] = angles.ravel()
-        self._pin.framesForwardKinematics(self._model, self._data, self._q)
-        return np.array([self._data.oMf[i].translation for i in self._robot.foot_frame_ids])
-
-
-def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
-    """Check the quadrants of the feet, and that stance feet keep their distances.
+def check_quadrants(robot: Robot, log: SensorLog) -> None:
+    """Check that each foot is in its own quadrant of the base.
 
     Raises:
-        Error: The median of q puts a foot into the quadrant of another foot. Or the feet slide
-            relative to each other with the logged angles, but not in another order of legs or with
-            mirrored hips. This slide is only a warning if the torques do not show that the feet
-            are loaded.
+        Error: The median of q puts a foot into the quadrant of another foot.
     """
-    feet = _FootKinematics(robot)
-    median = finite_median(log.columns["q"]).reshape(4, 3)
-    foot_positions = feet(median)
+    foot_positions = foot_placements(robot, finite_median(log.columns["q"])[None])[0][0]
     for leg, name in enumerate(LEGS):
         if np.any(foot_positions[leg, :2] * _QUADRANT_SIGNS[leg] <= 0.0):
             x, y = foot_positions[leg, :2]
@@ -75,13 +48,12 @@ def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
                 f"the base (median), expected x {_SIGN[_QUADRANT_SIGNS[leg, 0]]}, "
                 f"y {_SIGN[_QUADRANT_SIGNS[leg, 1]]}: order FR FL RR RL, signs of the SDK"
             )
-    return _check_stance(robot, log, windows, feet)
 
 
-def _check_stance(
-    robot: Robot, log: SensorLog, windows: Windows, feet: _FootKinematics
-) -> list[str]:
+def check_stance(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
     """Find the order of legs and the hip signs that keep the distances between feet best.
+
+    The robot must not walk: all feet are assumed to stand.
 
     Return a warning if the log has another order or other signs but the feet may not be loaded.
 
@@ -96,9 +68,8 @@ def _check_stance(
     rows = np.stack(
         [windows.start[most_moving], windows.end[most_moving + SPAN_WINDOWS - 1]], axis=1
     )
-    table = np.array(
-        [[_feet_with_exchanged_angles(feet, log, row) for row in pair] for pair in rows]
-    )
+    table = _feet_with_exchanged_angles(robot, log.columns["q"][rows.ravel()])
+    table = table.reshape(*rows.shape, *table.shape[1:])
     start_to_end = np.swapaxes(_base_rotations(robot, turned[most_moving]), 1, 2)
     slides = {}
     for flip, order in itertools.product(_MIRRORED_LEGS, itertools.permutations(range(4))):
@@ -143,17 +114,23 @@ def _span_sums(values: Array) -> Array:
     return np.asarray(total[SPAN_WINDOWS:] - total[:-SPAN_WINDOWS])
 
 
-def _feet_with_exchanged_angles(feet: _FootKinematics, log: SensorLog, row: int) -> Array:
+def _feet_with_exchanged_angles(robot: Robot, q: Array) -> Array:
     """Return the foot position of each leg for the angles of each leg, base axes [m].
 
-    Shape (2, 4, 4, 3): hip sign, leg, leg that the angles belong to, xyz.
+    Args:
+        robot: Robot model.
+        q: (n, 12) joint angles [rad].
+
+    Returns:
+        (n, 2, 4, 4, 3): row, hip sign, leg, leg that the angles belong to, xyz.
     """
-    angles = log.columns["q"][row].reshape(4, 3)
-    table = np.zeros((2, 4, 4, 3))
+    angles = q.reshape(-1, 4, 3)
+    table = np.zeros((len(q), 2, 4, 4, 3))
     for mirrored, shift in itertools.product(range(2), range(4)):
         source_leg = (np.arange(4) + shift) % 4
-        turned = angles[source_leg] * ([-1.0, 1.0, 1.0] if mirrored else 1.0)
-        table[mirrored, np.arange(4), source_leg] = feet(turned)
+        turned = angles[:, source_leg] * ([-1.0, 1.0, 1.0] if mirrored else 1.0)
+        centre = foot_placements(robot, turned.reshape(-1, 12))[0]
+        table[:, mirrored, np.arange(4), source_leg] = centre
     return table
 
 

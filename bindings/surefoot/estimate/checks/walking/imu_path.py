@@ -1,0 +1,66 @@
+"""Integrals of gyroscope and accelerometer on the grid of the leg paths, with a delay."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot._core import Robot
+from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
+from surefoot.sensor_log.sensor_log import SensorLog
+
+
+@dataclass(frozen=True)
+class ImuPath:
+    """Integrals of the IMU's samples, base axes.
+
+    Attributes:
+        rotation: (n, 3) integral of the gyroscope [rad].
+        position: (n, 3) second integral of the accelerometer without its running mean [m].
+        mean_force: (n, 3) running mean of the accelerometer [m/s^2].
+    """
+
+    rotation: Array
+    position: Array
+    mean_force: Array
+
+
+class ImuIntegrals:
+    """Integrals of the IMU of a log, which are read at any times.
+
+    Args:
+        robot: Robot, for the axes of its IMU.
+        log: The log.
+        mean_time: Duration of the running mean [s].
+    """
+
+    def __init__(self, robot: Robot, log: SensorLog, mean_time: float) -> None:
+        w, x, y, z = robot.config.quat_base_imu
+        R = matrices_from_xyzw(np.array([[x, y, z, w]]))[0]
+        omega, force = log.columns["gyroscope"], log.columns["accelerometer"]
+        good = (
+            np.isfinite(log.time) & np.isfinite(omega).all(axis=1) & np.isfinite(force).all(axis=1)
+        )
+        self._time, rows = np.unique(log.time[good], return_index=True)
+        omega, force = omega[good][rows] @ R.T, force[good][rows] @ R.T
+        self._rotation = self._integral(omega)
+        velocity = self._integral(force)
+        early = np.maximum(self._time - 0.5 * mean_time, self._time[0])
+        late = np.minimum(self._time + 0.5 * mean_time, self._time[-1])
+        change = self._read(velocity, late) - self._read(velocity, early)
+        self._mean = change / np.maximum(late - early, 1e-9)[:, None]
+        self._position = self._integral(self._integral(force - self._mean))
+
+    def at(self, time: Array) -> ImuPath:
+        """Return the integrals at times (n,) [s]."""
+        integrals = (self._rotation, self._position, self._mean)
+        return ImuPath(*(self._read(values, time) for values in integrals))
+
+    def _integral(self, values: Array) -> Array:
+        """Integrate rows (n, 3) by the trapezoidal rule."""
+        steps = np.diff(self._time)[:, None] * 0.5 * (values[1:] + values[:-1])
+        return np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
+
+    def _read(self, values: Array, time: Array) -> Array:
+        return np.stack([np.interp(time, self._time, values[:, k]) for k in range(3)], axis=1)
