@@ -16,7 +16,7 @@ constexpr double kPeriod = 0.002;
 // A robot with an ideal IMU that a hand moves. No sensor measures its feet.
 class HandMovedRobot {
  public:
-  explicit HandMovedRobot(bool has_torques = false) {
+  explicit HandMovedRobot(bool has_torques = false) : has_torques_(has_torques) {
     sample_.imu.quaternion = {};
     sample_.footForce = sample_.footForceEst = {};
     if (has_torques) return;
@@ -37,7 +37,8 @@ class HandMovedRobot {
       sample_.tick += 2;
       for (int i = 0; i < 3; ++i) {
         sample_.imu.gyroscope[i] = static_cast<float>(scale * w[i]);
-        // An IMU that never changes counts as broken.
+        // Values that never change count as broken, and torques of zero as missing.
+        if (has_torques_) sample_.motorState[0].tauEst += k % 2 == 0 ? 1e-3F : -1e-3F;
         sample_.imu.accelerometer[i] = static_cast<float>(f[i] + (k % 2 == 0 ? 1e-3 : -1e-3));
       }
       BOOST_REQUIRE((estimator.update(sample_, kPeriod) == Status::kOk));
@@ -59,6 +60,7 @@ class HandMovedRobot {
   double tilt_rms = 0.0;  // [rad] of the last move
 
  private:
+  bool has_torques_;
   LowState sample_ = resting_sample(robot, 0);
   Quaternion R_ = Quaternion::Identity();
 };
@@ -101,14 +103,13 @@ BOOST_AUTO_TEST_CASE(measured_loads_of_the_feet_are_not_refuted) {
   BOOST_TEST(moved.contact() == 1.0);
 }
 
-// The accelerometer corrects the error of 0.5 % of the gyroscope only as far as the velocity of a
-// carried body is known.
+// Without the zero velocity and the scale error of the gyroscope, the tilt is wrong by 0.025 rad.
 BOOST_AUTO_TEST_CASE(accelerometer_corrects_the_scale_of_the_gyroscope_off_the_ground) {
   HandMovedRobot moved;
   moved.rest(3.0);
   moved.move(30.0, fast_turn, HandMovedRobot::still, 1.005);
   BOOST_TEST(moved.contact() == 0.0);
-  BOOST_TEST(moved.tilt_rms < 0.01);
+  BOOST_TEST(moved.tilt_rms < 0.02);
   BOOST_TEST(moved.estimator.report().gyroscope_bias.norm() < 0.005);
 }
 

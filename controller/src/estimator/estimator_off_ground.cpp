@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Estimator of a robot that does not stand: it is carried, hangs or falls.
-#include <cmath>
-
 #include "estimator/estimator_impl.hpp"
 
 namespace surefoot {
@@ -23,13 +21,8 @@ constexpr double kCarriedTime = 0.25;
 // Refute the contacts that are only assumed if the IMU contradicts them. The feet have then already
 // pulled the attitude, so it is restored.
 void StateEstimator::Impl::check_standing(double dt) noexcept {
-  const auto& P = filter.covariance();
-  const Matrix3& R = dynamics.R_world_base();
-  const Vector3 force = imu_input.f_base - filter.accelerometer_bias();
-  standing_check.update(dynamics,
-                        {contact.assumed(), R * force - kGravity * Vector3::UnitZ(),
-                         R * robot.config().p_base_imu, std::sqrt(P(0, 0) + P(1, 1))},
-                        dt);
+  standing_check.update(
+      dynamics, {contact.assumed(), q, w_base, imu_input.f_base, robot.config().p_base_imu}, dt);
   if (standing_check.newly_refuted()) attitude_memory.restore(filter, kCarriedSpeed);
 }
 

@@ -9,9 +9,10 @@ namespace surefoot {
 struct StandingCheckInput {
   /// True for each leg whose contact is assumed, because no sensor measures its force.
   const std::array<bool, kLegs>& assumed;
-  Vector3 acceleration;  ///< [m/s^2] of the IMU point by the accelerometer, world axes
-  Vector3 arm;           ///< [m] from the base origin to the IMU point, world axes
-  double tilt_sigma;     ///< [rad] standard deviation of the tilt
+  const Vector12& q;  ///< [rad] joint angles, SDK motor order
+  Vector3 w_base;     ///< [rad/s] angular velocity without bias, base axes
+  Vector3 f_base;     ///< [m/s^2] specific force, base axes
+  Vector3 arm;        ///< [m] from the base origin to the IMU point, base axes
 };
 
 /// Refutes the assumption that legs stand whose forces no sensor measures.
@@ -33,18 +34,23 @@ class StandingCheck {
   void reset() noexcept { *this = StandingCheck(); }
 
  private:
-  Eigen::Vector4d still_legs(const Dynamics& dynamics, double dt) noexcept;
-  void compare_speed(const Vector3& gain, double dt) noexcept;
-  bool contradicted(double tilt_sigma) const noexcept;
+  FeetMatrix joint_velocities(const Dynamics& dynamics, const Vector12& q, double dt) noexcept;
+  Eigen::Vector4d still_legs(const FeetMatrix& v, double dt) noexcept;
+  void compare_speed(const Vector3& force, const Vector3& v_legs, double dt) noexcept;
+  bool contradicted() const noexcept;
 
-  FeetMatrix v_joints_ = FeetMatrix::Zero();     // [m/s] of the feet by the joints, low-passed
-  Vector3 turn_ = Vector3::Zero();               // [rad] of the feet in the last second, world axes
-  Vector3 speed_ = Vector3::Zero();              // [m/s] gained lately, without the legs
-  Vector3 smooth_speed_ = Vector3::Zero();       // [m/s] low-passed
-  Vector3 mean_acceleration_ = Vector3::Zero();  // [m/s^2] of the last seconds
-  Vector3 last_v_legs_ = Vector3::Zero();        // [m/s] of the IMU point by the legs
-  bool compared_ = false;                        // last_v_legs_ is of the last tick
-  double refuted_time_ = 0.0;                    // [s] for which the legs remain refuted
+  // Rotation of the base by the gyroscope alone. Vectors below are in the axes that it defines: the
+  // attitude of the filter may be wrong because of wrong contacts.
+  Quaternion rotation_ = Quaternion::Identity();
+  Vector12 last_q_ = Vector12::Constant(NAN);  // [rad]
+  FeetMatrix v_joints_ = FeetMatrix::Zero();   // [m/s] of the feet by the joints, low-passed
+  Vector3 turn_ = Vector3::Zero();             // [rad] of the feet in the last second
+  Vector3 speed_ = Vector3::Zero();            // [m/s] gained lately, without the legs
+  Vector3 smooth_speed_ = Vector3::Zero();     // [m/s] low-passed
+  Vector3 mean_force_ = Vector3::Zero();       // [m/s^2] specific force of the last seconds
+  Vector3 last_v_legs_ = Vector3::Zero();      // [m/s] of the IMU point by the legs
+  bool compared_ = false;                      // last_v_legs_ is of the last tick
+  double refuted_time_ = 0.0;                  // [s] for which the legs remain refuted
   bool newly_refuted_ = false;
 };
 
