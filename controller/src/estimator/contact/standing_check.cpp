@@ -101,10 +101,11 @@ Eigen::Vector4d StandingCheck::still_legs(const FeetMatrix& v, double dt) noexce
 // Sum the speed that the body gains and that the legs do not explain. While the body turns far,
 // errors of the gyroscope turn gravity too, so the mean begins again.
 void StandingCheck::compare_speed(const Vector3& force, const Vector3& v_legs, double dt) noexcept {
-  if (!compared_ || turn_.norm() > kMaxTurn) {
+  if (!has_mean_ || turn_.norm() > kMaxTurn) {
     mean_force_ = force;
+    has_mean_ = true;
     speed_.setZero();
-  } else {
+  } else if (compared_) {
     speed_ += dt * (force - mean_force_) - (v_legs - last_v_legs_);
     mean_force_ += dt / (dt + kMeanTime) * (force - mean_force_);
   }

@@ -49,8 +49,9 @@ class StandingCheck {
   Vector3 smooth_speed_ = Vector3::Zero();     // [m/s] low-passed
   Vector3 mean_force_ = Vector3::Zero();       // [m/s^2] specific force of the last seconds
   Vector3 last_v_legs_ = Vector3::Zero();      // [m/s] of the IMU point by the legs
-  bool compared_ = false;                      // last_v_legs_ is of the last tick
-  double refuted_time_ = 0.0;                  // [s] for which the legs remain refuted
+  bool has_mean_ = false;
+  bool compared_ = false;      // last_v_legs_ is of the last tick
+  double refuted_time_ = 0.0;  // [s] for which the legs remain refuted
   bool newly_refuted_ = false;
 };
 
