@@ -144,7 +144,7 @@ def _direction(rng: np.random.Generator) -> Array:
 
 def _start(rng: np.random.Generator) -> Array:
     vector = np.radians(rng.uniform(0.0, 30.0)) * _direction(rng)
-    return _exponentials(vector[None])[0]
+    return np.asarray(_exponentials(vector[None])[0])
 
 
 def _exponentials(vectors: Array) -> Array:
