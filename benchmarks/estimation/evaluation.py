@@ -11,6 +11,7 @@ from surefoot import Robot, load_robot
 from estimation.cache import load_or_record
 from estimation.contact_case import contact
 from estimation.dropout_case import dropout
+from estimation.hand_case import hand
 from estimation.imu_bias_case import bias
 from estimation.initialization_case import init
 from estimation.log_rows import Log
@@ -49,6 +50,7 @@ CASES: dict[str, Case] = {
     "dropout": Case(("push60",), dropout),
     "bias": Case(("bias",), bias),
     "payload": Case((), None),
+    "hand": Case((), hand),
     "walking": Case(tuple(WALKING_SCENARIOS), walking),
 }
 

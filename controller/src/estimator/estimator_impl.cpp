@@ -56,12 +56,13 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
-  imu_input =
-      imu_filter_input.update(gains, imu, filter, dynamics,
-                              {state.contact, step_detector.steps(), step_detector.rests()}, dt);
+  imu_input = imu_filter_input.update(
+      gains, imu, filter, dynamics,
+      {state.contact, step_detector.steps(), step_detector.rests(), off_ground()}, dt);
   if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
   filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt),
                  sole_load.process_variance(robot.config().foot_radius, dt));
+  attitude_memory.update(filter, imu_input);
   w_base = imu_input.w_base - filter.gyroscope_bias();
   w_filtered += dt / (dt + kRateFilterTime) * (w_base - w_filtered);
   alpha_base = (w_base - w_filtered) / kRateFilterTime;
@@ -102,6 +103,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   leg_forces.update(dynamics, base_acceleration(), alpha_base,
                     torques_valid() ? tau_est : planned_tau, dq, joint_stops(robot.config(), q),
                     dt);
+  check_standing(dt);
   const Vector3 v_base = filter.v() - dynamics.w_world_base().cross(dynamics.R_world_base() *
                                                                     robot.config().p_base_imu);
   FeetMatrix v_contact;
@@ -125,6 +127,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   if (!step_detector.steps()) signals.clearance = clearance.clearance();
   signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
   signals.steps = step_detector.steps();
+  signals.standing_refuted = standing_check.refuted();
   contact.update(gains, signals, dt);
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);
@@ -157,6 +160,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     feet.y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
   }
   filter.correct(feet, gains.gate_foot);
+  correct_off_ground(dt);
   align();
   std::array<bool, kLegs> stance;
   int stance_count = 0, rejected_count = 0;

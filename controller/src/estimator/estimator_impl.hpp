@@ -7,10 +7,12 @@
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
 #include "estimator/contact/sole_load.hpp"
+#include "estimator/contact/standing_check.hpp"
 #include "estimator/contact/step_detector.hpp"
 #include "estimator/contact/torque_check.hpp"
 #include "estimator/external_wrench/payload_observer.hpp"
 #include "estimator/external_wrench/push_observer.hpp"
+#include "estimator/filter/attitude_memory.hpp"
 #include "estimator/filter/foot_motion_model.hpp"
 #include "estimator/filter/foot_noise.hpp"
 #include "estimator/filter/invariant_filter.hpp"
@@ -25,8 +27,9 @@ namespace surefoot {
 ///
 /// StateEstimator::update() calls, in this order: read_joints(), imu_reader.read(),
 /// torque_check.update(), initialise() (first sample only), predict(), update_dynamics(),
-/// update_contacts(), correct() and observe_external_wrench(). correct() calls align(), and
-/// restart_alignment() if the attitude has diverged.
+/// update_contacts(), correct() and observe_external_wrench(). update_contacts() calls
+/// check_standing(); correct() calls correct_off_ground(), align(), and restart_alignment() if the
+/// attitude has diverged.
 struct StateEstimator::Impl {
   explicit Impl(const Robot& r);
 
@@ -36,8 +39,10 @@ struct StateEstimator::Impl {
   void restart_alignment() noexcept;
   void predict(double dt) noexcept;
   void update_dynamics() noexcept;
+  void check_standing(double dt) noexcept;
   void update_contacts(const LowState& low_state, double dt) noexcept;
   void correct(double dt) noexcept;
+  void correct_off_ground(double dt) noexcept;
   void observe_external_wrench(double dt) noexcept;
   void reset() noexcept;
 
@@ -50,6 +55,8 @@ struct StateEstimator::Impl {
   Eigen::Vector4d sole_sink() const noexcept { return filter.sole_compliance() * sole_load.load(); }
   /// Return whether the IMU has measured the motion of this tick.
   bool imu_is_fresh() const noexcept { return imu.w_age == 1 && imu.f_age <= 2; }
+  /// Return whether the robot has been without contact for longer than a jump lasts.
+  bool off_ground() const noexcept;
   bool attitude_diverged() const noexcept;
 
   Robot robot;
@@ -66,6 +73,8 @@ struct StateEstimator::Impl {
   LegForces leg_forces;
   ContactConfidence contact;
   SoleLoad sole_load;
+  StandingCheck standing_check;
+  AttitudeMemory attitude_memory;
   StepDetector step_detector;
   SlipDetector slip;
   FrictionEstimate friction;
@@ -87,6 +96,7 @@ struct StateEstimator::Impl {
   Vector3 w_base = Vector3::Zero(), w_filtered = Vector3::Zero();
   Vector3 alpha_base = Vector3::Zero();  // [rad/s^2] base axes
   Vector3 normal = Vector3::UnitZ();     // ground normal, world axes
+  double air_time = 0.0;                 // [s] for which no foot has been in contact
   double path_length = 0.0;              // [m] length of the base's path
   bool started = false, aligned = false;
 };

@@ -87,6 +87,9 @@ void StateEstimator::Impl::reset() noexcept {
   contact.reset();
   sole_load.reset();
   step_detector.reset();
+  standing_check.reset();
+  attitude_memory.reset();
+  air_time = 0.0;
   slip.reset();
   friction.reset();
   clearance.reset();

@@ -167,9 +167,12 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
   }
   foot.no_force_time = force_weight > 0.0 ? 0.0 : foot.no_force_time + dt;
   const bool force_available = foot.no_force_time < kNoForceTime;
-  loaded_by_forces_[leg] = !force_available || force_sum > 0.0;
+  assumed_[leg] = !force_available;
+  loaded_by_forces_[leg] = force_available ? force_sum > 0.0 : !signals.standing_refuted;
   double rate = 0.0;
-  if (weight_sum > 0.0) {
+  if (assumed_[leg] && signals.standing_refuted) {
+    rate = -1.0;
+  } else if (weight_sum > 0.0) {
     const double agreement = vote_sum / weight_sum;
     if (std::abs(agreement) > kMinAgreement)
       rate = std::clamp(kAgreementGain * agreement, -1.0, 1.0);

@@ -18,7 +18,8 @@ struct ContactSignals {
   /// Vertical specific force / g. For a robot on its feet it equals the sum of the normal forces,
   /// divided by the weight.
   double load_factor = 1.0;
-  bool steps = false;  ///< true: the robot steps, see StepDetector
+  bool steps = false;             ///< true: the robot steps, see StepDetector
+  bool standing_refuted = false;  ///< see StandingCheck
 };
 
 /// Contact confidence of each foot, fused from all working contact sources.
@@ -42,6 +43,8 @@ class ContactConfidence {
   /// True for each foot that is loaded according to the force sources alone, and for each foot
   /// whose force no source measures.
   const std::array<bool, kLegs>& loaded_by_forces() const noexcept { return loaded_by_forces_; }
+  /// True for each foot whose contact is an assumption, because no source measures its force.
+  const std::array<bool, kLegs>& assumed() const noexcept { return assumed_; }
   bool foot_force_est_works() const noexcept { return force_check_.foot_force_est_works(); }
   /// Write the verdicts and votes of all sources to a report.
   void write(EstimatorReport& report) const noexcept;
@@ -70,6 +73,7 @@ class ContactConfidence {
   std::array<Foot, kLegs> feet_{};
   Eigen::Vector4d confidence_ = Eigen::Vector4d::Ones();
   std::array<bool, kLegs> loaded_by_forces_{true, true, true, true};
+  std::array<bool, kLegs> assumed_{};
 };
 
 }  // namespace surefoot

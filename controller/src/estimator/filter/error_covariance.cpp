@@ -116,6 +116,12 @@ void ErrorCovariance::project(int leg, const Vector3& lever, const Vector3& load
   }
 }
 
+void ErrorCovariance::project_velocity(Columns& out) const noexcept {
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < kPaddedSize; ++i) out[k][i] = (*this)(i, kVelocity + k);
+  }
+}
+
 void ErrorCovariance::correct(const Columns& W, const Columns& K, const Matrix3& S) noexcept {
   Columns M;
   for (int k = 0; k < 3; ++k) {

@@ -69,6 +69,10 @@ class ErrorCovariance {
   /// @param out P H^T, shape (kSize, 3), stored by columns
   void project(int leg, const Vector3& lever, const Vector3& load, Columns& out) const noexcept;
 
+  /// Compute P H^T for the measurement of the velocity, with H xi = xi_v.
+  /// @param out P H^T, shape (kSize, 3), stored by columns
+  void project_velocity(Columns& out) const noexcept;
+
   /// Update with a measurement z = H xi + noise of variance R, in the expanded Joseph form:
   ///   (I - K H) P (I - K H)^T + K R K^T = P - K M^T - M K^T
   ///   with M = W - K S / 2,  W = P H^T,  S = H P H^T + R

@@ -62,6 +62,17 @@ void InvariantFilter::reset_covariance(const InitialSigmas& sigmas) noexcept {
   P_.set_variance(kSole, 1, square(sigmas.sole));
 }
 
+void InvariantFilter::set_attitude(const Quaternion& R, const Vector3& gyroscope_bias,
+                                   const Vector3& accelerometer_bias,
+                                   double velocity_sigma) noexcept {
+  q_ = R;
+  R_ = R.toRotationMatrix();
+  gyroscope_bias_ = gyroscope_bias;
+  accelerometer_bias_ = accelerometer_bias;
+  v_.setZero();
+  P_.set_variance(kVelocity, 3, square(velocity_sigma));
+}
+
 bool InvariantFilter::is_plausible() const noexcept {
   const bool values_plausible = v_.norm() < kMaxSpeed &&
                                 gyroscope_bias_.norm() < kMaxGyroscopeBias &&
@@ -204,6 +215,26 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& f
     }
   }
   P_.correct(W, K, S);
+}
+
+// The innovation is z = v_estimate - 0 = xi_v, to first order and for a measured velocity of zero.
+void InvariantFilter::correct_zero_velocity(double variance) noexcept {
+  ErrorCovariance::Columns W, K;
+  P_.project_velocity(W);
+  Matrix3 S;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) S(i, k) = W[k][kVelocity + i];
+  S.diagonal().array() += variance;
+  const Matrix3 inverse = S.inverse();
+  Error xi = Error::Zero();
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
+      K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
+      xi[i] += K[k][i] * v_[k];
+    }
+  }
+  P_.correct(W, K, S);
+  apply(xi);
 }
 
 // Apply the correction xi. On the group: X_next = exp(-xi) X. Biases: subtract xi.

@@ -79,6 +79,10 @@ class InvariantFilter {
     gyroscope_bias_.setZero();
     accelerometer_bias_.setZero();
   }
+  /// Replace attitude and biases, with a velocity of zero, and keep their covariance.
+  /// @param velocity_sigma standard deviation of the velocity [m/s]
+  void set_attitude(const Quaternion& R, const Vector3& gyroscope_bias,
+                    const Vector3& accelerometer_bias, double velocity_sigma) noexcept;
   /// Return whether speed, biases and variances are in a range that is possible for a robot. An
   /// implausible estimate does not recover without a reset.
   bool is_plausible() const noexcept;
@@ -97,6 +101,10 @@ class InvariantFilter {
   ///   noise of the foot is increased so that the innovation is about at the limit. Above
   ///   kRejectionRatio * gate, the foot is rejected
   void correct(const FeetInput& feet, double gate) noexcept;
+
+  /// Correct the estimate with the measurement that the velocity of the IMU point is zero.
+  /// @param variance of one coordinate [m^2/s^2]
+  void correct_zero_velocity(double variance) noexcept;
 
   const Matrix3& R_world_base() const noexcept { return R_; }
   const Quaternion& quaternion() const noexcept { return q_; }

@@ -45,6 +45,10 @@ constexpr double kAgreementRatio = 0.5;
 // body.
 constexpr double kUnmeasuredRateNoise = 1.0;
 constexpr double kUnmeasuredForceNoise = 3.0;
+// Error of scale and axes of a gyroscope, as a share of the rate, and the time [s] for which a
+// rotation in a hand lasts. Chosen: scale and axes of common MEMS gyroscopes are right to 1 %.
+constexpr double kScaleError = 0.005;
+constexpr double kScaleTime = 0.5;
 
 double square(double x) noexcept { return x * x; }
 
@@ -62,6 +66,12 @@ double held_variance(double sigma, int age, double change, double dt) noexcept {
 double mean_variance(const Vector3& change, double sigma) noexcept {
   return square(kMeanUncertainty) *
          std::max(change.squaredNorm() - kNoiseOnlyChange * square(sigma), 0.0);
+}
+
+// Compute the variance of the error that scale and axes of the gyroscope cause. The error is no
+// white noise: while the rotation lasts, it is the same in every tick.
+double scale_variance(const Vector3& w_base, double dt) noexcept {
+  return square(kScaleError) * w_base.squaredNorm() * 2.0 * kScaleTime / dt;
 }
 
 }  // namespace
@@ -94,6 +104,7 @@ ImuInput ImuFilterInput::update(const Gains& gains, const ImuReading& imu,
                    // Steps vibrate in the gyroscope, and swing about zero. With this term, the
                    // feet, which slip and roll, would outweigh the gyroscope in yaw.
                    (feet.step ? 0.0 : mean_variance(imu.w_base - last_w_, w_noise_.sigma()));
+  if (feet.off_ground) out.w_variance += scale_variance(out.w_base, dt);
   out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
                    mean_variance(f_change_, f_noise_.sigma());
   if (imu.gyroscope != SensorVerdict::kGood || gyroscope_rejected_) {

@@ -13,6 +13,7 @@ struct FeetState {
   const Eigen::Vector4d& contact;  ///< contact confidences, 0 .. 1
   bool step;                       ///< feet step, so impacts vibrate in the IMU
   bool rest;                       ///< all feet stand; only then the noise of the IMU is learnt
+  bool off_ground = false;  ///< no foot stands, so none corrects the rotation by the gyroscope
 };
 
 /// Converts IMU readings to filter inputs: mean angular rate and specific force over the tick, and
