@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import surefoot
 from surefoot import Gait
 from surefoot.sim import Plant
-from surefoot.stand import parse_reference
+from surefoot.stand import parse_push, parse_reference
 from surefoot.walk import WalkLog, WalkSettings, parse_velocity, run_walk, summarise
 from surefoot.walk.settings import walking_plant
 from surefoot.walk.steps import LOADED
@@ -43,6 +45,31 @@ def test_go1_walks_with_three_loaded_feet_in_every_direction(walked) -> None:
     # The body sways: its velocity differs from the command within a period.
     assert np.all(np.array(walked["velocity_rmse"]) <= [0.05, 0.05, 0.1])
     assert np.all(np.array(walked["roll_pitch_rms_deg"]) <= [1.0, 1.0])
+
+
+def test_pushed_go1_trots_and_walks_again_while_its_direction_changes() -> None:
+    directions = (
+        "0.2,0.2,0.2 -0.2,0.2,0.2 0,-0.2,-0.5 0.25,0,0 -0.1,-0.2,0.3 0,0,-0.6 0.2,-0.1,0 0,0,0"
+    )
+    velocities = [f"{v}@{0.5 + 2.5 * k}" for k, v in enumerate(directions.split())]
+    pushes = [parse_push(f"{90 * k + 30}:40%:0.1@{4.0 + 4.3 * k}") for k in range(4)]
+    plant = replace(walking_plant(), foot_force="raw", soft_ground_sink=0.005)
+    log = run_walk(
+        WalkSettings(
+            duration=21.0,
+            velocities=tuple(map(parse_velocity, velocities)),
+            gait=Gait.WALK,
+            plant=plant,
+            pushes=tuple(pushes),
+        )
+    )
+    summary = summarise(log)
+    assert not summary["fell"] and summary["stands_at_end"]
+    trots = (log.planned_loads > 0.0).sum(axis=1) <= 2
+    for push in log.pushes:
+        begin, calm, end = (round((push.time + after) * log.rate) for after in (0.0, 2.0, 3.0))
+        assert trots[begin:calm].any()
+        assert not trots[calm:end].any()
 
 
 def test_go1_stands_after_a_walk(walked) -> None:

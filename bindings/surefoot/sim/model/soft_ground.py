@@ -1,8 +1,8 @@
 """Soft ground and soft soles: a linear spring and a damper between each foot and the ground.
 
-Ground and sole are in series, so the depths by which they yield add up, and the weaker damper limits
-the force of an impact: 1 / C = 1 / C_ground + 1 / C_sole. Soft ground alone is critically damped. A
-sole has little damping, so a foot that touches down still moves while its force rises.
+Ground and sole are in series, so the depths by which they yield add up, and the weaker damper
+limits the force of an impact: 1 / C = 1 / C_ground + 1 / C_sole. Soft ground alone is critically
+damped. A sole has little damping, so a foot that touches down still moves while its force rises.
 
 MuJoCo has no spring contact. It solves R f = a_ref - a for the contact force f, where a is the
 acceleration, a_ref = -(damping v + stiffness r) / d the reference acceleration at penetration r and

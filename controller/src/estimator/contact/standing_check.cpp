@@ -18,23 +18,23 @@ constexpr double kStillSpeed = 0.1;
 constexpr double kFilterTime = 0.02;
 // [s] Time in which turns count. If larger: a bias of the gyroscope counts as a turn.
 constexpr double kTurnTime = 1.0;
-// [rad] Turn that refutes. Larger than 0.007, the largest value of standing, and than the turn by
-// a bias of 0.02 rad/s (start_gyroscope_bias).
+// [rad] Turn that refutes. Chosen larger than the turn by a bias of 0.02 rad/s
+// (start_gyroscope_bias). Logs of standing, pushed and stepping robots refute nothing.
 constexpr double kMaxTurn = 0.1;
 // [s] Time in which gained speed counts. If larger: errors of the tilt count as speed.
 constexpr double kSpeedTime = 0.3;
 // [rad/s] Larger rates count as this rate, so that a gyroscope that fails for 0.1 s does not
 // refute.
 constexpr double kMaxRate = 0.5;
-// [m/s] Gained speed that refutes. Larger than 0.06, the largest value of standing.
+// [m/s] Gained speed that refutes. Chosen. Logs of standing, pushed and stepping robots refute
+// nothing.
 constexpr double kMaxSpeed = 0.1;
 // [s] Time constant of the low-pass of the gained speed: it removes the noise of the joint
 // velocities.
 constexpr double kSmoothTime = 0.05;
 // [s] Time constant of the mean specific force, which contains gravity and bias and is not counted.
 constexpr double kMeanTime = 2.0;
-// Share of the limits below which a body is still. Chosen: above the values of standing at rest
-// (0.006 rad, 0.009 m/s) and the turn by a bias of 0.02 rad/s.
+// Share of the limits below which a body is still. Chosen: above the turn by a bias of 0.02 rad/s.
 constexpr double kStillShare = 0.25;
 // [s] Time for which the body must be still before its legs are believed again. Longer than the
 // turning point of a hand motion.
