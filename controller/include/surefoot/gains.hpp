@@ -95,6 +95,7 @@ struct Gains {
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
+  double walk_hold_down = 0.07;          ///< [m g] hold_down of a walking robot
   double walk_acceleration = 0.2;        ///< [g] greatest acceleration of the commanded velocity
   double walk_turn_acceleration = 0.25;  ///< [g/h] the same of the commanded yaw rate
   /// [m g sqrt(g h)] Power peaks of a trot in place.
@@ -110,7 +111,7 @@ struct Gains {
   double walk_gait_period = 6.0;  ///< [sqrt(h/g)] gait_period of the gait walk
   double walk_gait_duty = 0.8;    ///< [1] share of the period in which a foot stands, gait walk
   /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk.
-  double walk_gait_margin = 0.14;
+  double walk_gait_margin = 0.12;
   double walk_gait_swing_height = 0.2;  ///< [h] swing_height of the gait walk
   double walk_gait_speed = 0.18;        ///< [sqrt(g h)] greatest commanded speed, gait walk
   double walk_gait_turn_speed = 0.15;   ///< [sqrt(g/h)] greatest commanded yaw rate, gait walk

@@ -125,6 +125,7 @@ constexpr GainInfo kRows[] = {
      "downward speed at which a foot lands"},
     {kWalking, "walk_joint_limit_rate", "1/s", 1, 200, &G::walk_joint_limit_rate,
      "joint_limit_rate of a walking robot"},
+    {kWalking, "walk_hold_down", "m g", 0, 0.2, &G::walk_hold_down, "hold_down of a walking robot"},
     {kWalking, "walk_acceleration", "g", 0.01, 2, &G::walk_acceleration,
      "greatest acceleration of the commanded velocity"},
     {kWalking, "walk_turn_acceleration", "g/h", 0.01, 2, &G::walk_turn_acceleration,

@@ -8,11 +8,12 @@ namespace surefoot {
 Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
                                  const Eigen::Vector4d& contact,
                                  const Reference& reference) noexcept {
+  const double share = reference.stepping ? gains.walk_hold_down : gains.hold_down;
   Eigen::Vector4d forces;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double load = planned_load(reference.feet[leg]);
     const double confidence = assumed_contact(contact[leg], reference.feet[leg]);
-    forces[leg] = gains.hold_down * weight * fade * load * confidence;
+    forces[leg] = share * weight * fade * load * confidence;
   }
   return forces;
 }
