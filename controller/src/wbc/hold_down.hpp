@@ -10,7 +10,7 @@ namespace surefoot {
 /// Compute the hold-down of each foot, which is the smallest normal force that the QP should keep
 /// on it:
 ///   hold_down * weight * fade * planned load * contact confidence   [N], FR FL RR RL
-/// While the robot steps, it is walk_hold_down instead of hold_down.
+/// While one foot of a stepping robot swings, it is walk_hold_down.
 ///
 /// Hold-down is an elastic constraint. Hold-down keeps feet from sliding and lifting. But with a
 /// minimum force on every foot, the centre of pressure cannot reach the support edge, and the QP
