@@ -39,6 +39,11 @@ Mutation = Callable[[MutantLog, np.random.Generator], str]
 """Function that changes a log and returns what it changed."""
 
 
+def in_leg_order(values: np.ndarray, order: np.ndarray | list[int]) -> np.ndarray:
+    """Return columns (n, 12) with the legs in another order (4,)."""
+    return values.reshape(-1, 4, 3)[:, order].reshape(-1, 12)
+
+
 def _name(log: MutantLog, rng: np.random.Generator) -> str:
     return str(rng.choice(list(log.columns)))
 
@@ -116,8 +121,7 @@ def _swap_legs(log: MutantLog, rng: np.random.Generator) -> str:
     names = [n for n in ("q", "dq", "tauEst") if n in log.columns and rng.random() < 0.8]
     for name in names:
         if log.columns[name].shape[1] == 12:
-            legs = log.columns[name].reshape(-1, 4, 3)
-            log.columns[name] = legs[:, order].reshape(-1, 12)
+            log.columns[name] = in_leg_order(log.columns[name], order)
     return f"legs of {', '.join(names)} in the order {order.tolist()}"
 
 

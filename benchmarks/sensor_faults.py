@@ -6,14 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from log_mutations import Columns, in_leg_order
 from surefoot.estimate import SensorLog
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.sensor_log.column_definitions import FOOT_COLUMNS
 
-Columns = dict[str, np.ndarray]  # arrays (n, width) by name
-LEGS = ("FR", "FL", "RR", "RL")
 AXES = "xyz"
 IMU = ("gyroscope", "accelerometer", "quaternion")
 LEG_COLUMNS = ("q", "dq", "tauEst")
-FOOT_COLUMNS = ("footForce", "footForceEst")
 CALF_OFFSET = 0.1  # [rad]
 GYRO_BIAS = 0.2  # [rad/s]
 ACCELEROMETER_BIAS = 1.0  # [m/s^2]
@@ -81,11 +81,7 @@ def with_fault(log: SensorLog, fault: Fault, onset: int) -> SensorLog:
 
 def _legs(order: list[int]) -> Callable[[Columns, int, float], Columns]:
     def change(columns: Columns, _onset: int, _period: float) -> Columns:
-        return {
-            name: columns[name].reshape(-1, 4, 3)[:, order].reshape(-1, 12)
-            for name in LEG_COLUMNS
-            if name in columns
-        }
+        return {name: in_leg_order(columns[name], order) for name in LEG_COLUMNS if name in columns}
 
     return change
 

@@ -13,7 +13,6 @@ controller that recorded them.
 from __future__ import annotations
 
 import argparse
-import json
 import re
 import sys
 from collections import Counter
@@ -23,13 +22,14 @@ from pathlib import Path
 
 import numpy as np
 import surefoot
+from seed_runs import ROBOTS
 from sensor_faults import draw_faults, with_fault
 from surefoot import Error, Robot
+from surefoot.cli.output_files import write_json
 from surefoot.estimate import SensorLog
 from surefoot.estimate.checks import check_log
 from verdict_walks import load_walk
 
-ROBOTS = ("a1", "go1", "go2", "b1")
 TIMES = (5.0, 10.0)  # [s] after the first step or the onset
 FIRST_STEP = 1.5  # [s] latest time of the first command
 VARIANTS: dict[str, tuple[str, ...]] = {
@@ -113,7 +113,7 @@ def main() -> None:
     parser.add_argument("--faulty", type=int, default=5, help="logs per robot and fault")
     parser.add_argument("--variant", choices=tuple(VARIANTS), default="all columns")
     parser.add_argument("--folder", type=Path, default=Path("out/verdicts"))
-    parser.add_argument("--json", type=Path, help="also write the counts as JSON")
+    parser.add_argument("--json", help="also write the counts as JSON")
     options = parser.parse_args()
     results = {}
     for name in options.robot:
@@ -128,8 +128,7 @@ def main() -> None:
             wrong, missed = count[f"wrong {last}"], count[f"missed {last}"]
             print(f"{name} {fault}: {named} of {count['logs']}; {wrong} wrong, {missed} missed")
         sys.stdout.flush()
-    if options.json is not None:
-        options.json.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    write_json(options.json, results, 1)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from surefoot import Gait, WalkController, WalkVelocity
 from surefoot.estimate import SensorLog, read_log, write_log
+from surefoot.geometry.batch_rotations import matrices_from_xyzw, rpy_from_matrices
 from surefoot.sim import Flaws, Plant, PlantSettings
 from surefoot.sim.terrain import Terrain
 from surefoot.stand import SensorRecorder
@@ -56,9 +57,8 @@ def record_walk(robot: str, seed: int) -> SensorLog:
 
 def turn(log: SensorLog) -> float:
     """Return the range of the true heading [rad]."""
-    w, x, y, z = log.columns["truth_quaternion"].T
-    heading = np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
-    return float(np.ptp(np.unwrap(heading)))
+    rotation = matrices_from_xyzw(log.columns["truth_quaternion"][:, [1, 2, 3, 0]])
+    return float(np.ptp(np.unwrap(rpy_from_matrices(rotation)[:, 2])))
 
 
 def _plant(rng: np.random.Generator, seed: int) -> PlantSettings:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from surefoot.geometry.batch_rotations import matrices_from_rotation_vectors, products
 
 from estimation.log_rows import Array
 
@@ -144,23 +145,11 @@ def _direction(rng: np.random.Generator) -> Array:
 
 def _start(rng: np.random.Generator) -> Array:
     vector = np.radians(rng.uniform(0.0, 30.0)) * _direction(rng)
-    return np.asarray(_exponentials(vector[None])[0])
-
-
-def _exponentials(vectors: Array) -> Array:
-    """Return the rotation matrices (n, 3, 3) of rotation vectors (n, 3)."""
-    angle = np.linalg.norm(vectors, axis=1)[:, None, None]
-    K = np.cross(vectors[:, None], -np.eye(3))
-    half = 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
-    return np.asarray(np.eye(3) + np.sinc(angle / np.pi) * K + half * (K @ K))
+    return np.asarray(matrices_from_rotation_vectors(vector[None])[0])
 
 
 def _integrated(rate: Array) -> Array:
-    """Return the rotations (n, 3, 3) since the first sample, by products of ever longer pieces."""
-    rotation = _exponentials(0.5 * (rate + np.roll(rate, 1, axis=0)) / RATE)
-    rotation[0] = np.eye(3)
-    step = 1
-    while step < len(rotation):
-        rotation[step:] = rotation[:-step] @ rotation[step:]
-        step *= 2
-    return np.asarray(rotation)
+    """Return the rotations (n, 3, 3) since the first sample."""
+    steps = 0.5 * (rate + np.roll(rate, 1, axis=0)) / RATE
+    steps[0] = 0.0
+    return products(matrices_from_rotation_vectors(steps))

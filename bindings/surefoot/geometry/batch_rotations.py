@@ -42,6 +42,23 @@ def rotation_vectors(rotation: Array) -> Array:
     return np.asarray(twice_sine * (angle / np.maximum(size, 1e-12))[:, None])
 
 
+def matrices_from_rotation_vectors(vectors: Array) -> Array:
+    """Return the rotation matrices (n, 3, 3) of rotation vectors (n, 3) [rad]."""
+    angle = np.linalg.norm(vectors, axis=1)[:, None, None]
+    K = np.cross(vectors[:, None], -np.eye(3))
+    half = 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
+    return np.asarray(np.eye(3) + np.sinc(angle / np.pi) * K + half * (K @ K))
+
+
+def products(rotation: Array) -> Array:
+    """Return the products R_0 ... R_k (n, 3, 3) of the first k + 1 rotations, for each k."""
+    result, step = rotation.copy(), 1
+    while step < len(result):
+        result[step:] = result[:-step] @ result[step:]
+        step *= 2
+    return result
+
+
 def rotations_about_z(angle: Array) -> Array:
     """Return the rotation matrices (n, 3, 3) by angles (n,) [rad] about z."""
     R = np.zeros((len(angle), 3, 3))

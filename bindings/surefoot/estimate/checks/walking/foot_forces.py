@@ -10,6 +10,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from surefoot.estimate.checks.walking.identities import LOGGED, Order
 from surefoot.estimate.checks.walking.leg_paths import STEP, LegPaths
+from surefoot.estimate.checks.walking.samples import finite_samples, interpolated
 from surefoot.estimate.checks.walking.stances import Stances, phases
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
@@ -74,10 +75,8 @@ def check_foot_forces(
 
 def on_grid(log: SensorLog, name: str, time: Array) -> Array:
     """Return a column (n, k) at the times of the grid."""
-    values = log.columns[name]
-    good = np.isfinite(log.time) & np.isfinite(values).all(axis=1)
-    known, rows = np.unique(log.time[good], return_index=True)
-    return np.stack([np.interp(time, known, v[rows]) for v in values[good].T], axis=1)
+    known, (values,) = finite_samples(log, name)
+    return interpolated(time, known, values)
 
 
 def leg_loads(log: SensorLog, paths: LegPaths) -> Array | None:

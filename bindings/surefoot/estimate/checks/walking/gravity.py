@@ -20,8 +20,9 @@ from surefoot.estimate.checks.walking.identities import (
 )
 from surefoot.estimate.checks.walking.imu_path import ImuPath
 from surefoot.estimate.checks.walking.leg_paths import STEP, LegPaths
+from surefoot.estimate.checks.walking.samples import interpolated
 from surefoot.estimate.checks.walking.stances import Stances
-from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
+from surefoot.geometry.batch_rotations import Array, matrices_from_rotation_vectors, products
 
 # [s] Time between the two directions of gravity that are compared, and between the comparisons.
 # Chosen: short against the drift of a biased gyroscope, long enough for a turn.
@@ -33,7 +34,8 @@ def gravity_equations(
 ) -> tuple[Equations, Equations]:
     """Return the equations of the direction of gravity, and those of its size."""
     force = _specific_force_at_rest(paths, stances, imu)
-    rotation = _rotations(imu.rotation)
+    steps = np.diff(imu.rotation, axis=0, prepend=imu.rotation[:1])
+    rotation = products(matrices_from_rotation_vectors(steps))
     span, every = round(TURN_TIME / STEP), round(INTERVAL / STEP)
     margin = round(0.5 * stances.stride / STEP)
     first = np.arange(margin, len(force) - span - margin, every)
@@ -73,7 +75,7 @@ def _specific_force_at_rest(paths: LegPaths, stances: Stances, imu: ImuPath) -> 
     rows, known = np.arange(len(mean)), np.flatnonzero(total > 0)
     if len(known) == 0:
         return imu.mean_force
-    velocity = np.stack([np.interp(rows, known, mean[known, k]) for k in range(3)], axis=1)
+    velocity = interpolated(rows.astype(float), known.astype(float), mean[known])
     velocity[:, 2] = 0.0
     half = max(1, round(0.5 * stances.stride / STEP))
     early, late = np.maximum(rows - half, 0), np.minimum(rows + half, len(rows) - 1)
@@ -88,17 +90,3 @@ def _running_mean(values: Array, half: int) -> Array:
     rows = np.arange(len(values))
     low, high = np.maximum(rows - half, 0), np.minimum(rows + half + 1, len(values))
     return np.asarray((total[high] - total[low]) / (high - low)[:, None])
-
-
-def _rotations(integral: Array) -> Array:
-    """Return the rotations (n, 3, 3) to the axes at the start, from steps of the integral."""
-    steps = np.diff(integral, axis=0, prepend=integral[:1])
-    angle = np.linalg.norm(steps, axis=1, keepdims=True)
-    axis = steps / np.maximum(angle, 1e-12)
-    turn = matrices_from_xyzw(np.hstack([np.sin(angle / 2) * axis, np.cos(angle / 2)]))
-    rotation = np.empty_like(turn)
-    total = np.eye(3)
-    for k, step in enumerate(turn):
-        total = total @ step
-        rotation[k] = total
-    return rotation

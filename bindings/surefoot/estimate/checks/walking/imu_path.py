@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import Robot
+from surefoot.estimate.checks.walking.samples import finite_samples, interpolated
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.sensor_log.sensor_log import SensorLog
 
@@ -38,29 +39,24 @@ class ImuIntegrals:
     def __init__(self, robot: Robot, log: SensorLog, mean_time: float) -> None:
         w, x, y, z = robot.config.quat_base_imu
         R = matrices_from_xyzw(np.array([[x, y, z, w]]))[0]
-        omega, force = log.columns["gyroscope"], log.columns["accelerometer"]
-        good = (
-            np.isfinite(log.time) & np.isfinite(omega).all(axis=1) & np.isfinite(force).all(axis=1)
-        )
-        self._time, rows = np.unique(log.time[good], return_index=True)
-        omega, force = omega[good][rows] @ R.T, force[good][rows] @ R.T
+        self._time, samples = finite_samples(log, "gyroscope", "accelerometer")
+        omega, force = (values @ R.T for values in samples)
         self._rotation = self._integral(omega)
         velocity = self._integral(force)
         early = np.maximum(self._time - 0.5 * mean_time, self._time[0])
         late = np.minimum(self._time + 0.5 * mean_time, self._time[-1])
-        change = self._read(velocity, late) - self._read(velocity, early)
+        change = interpolated(late, self._time, velocity) - interpolated(
+            early, self._time, velocity
+        )
         self._mean = change / np.maximum(late - early, 1e-9)[:, None]
         self._position = self._integral(self._integral(force - self._mean))
 
     def at(self, time: Array) -> ImuPath:
         """Return the integrals at times (n,) [s]."""
         integrals = (self._rotation, self._position, self._mean)
-        return ImuPath(*(self._read(values, time) for values in integrals))
+        return ImuPath(*(interpolated(time, self._time, values) for values in integrals))
 
     def _integral(self, values: Array) -> Array:
         """Integrate rows (n, 3) by the trapezoidal rule."""
         steps = np.diff(self._time)[:, None] * 0.5 * (values[1:] + values[:-1])
         return np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
-
-    def _read(self, values: Array, time: Array) -> Array:
-        return np.stack([np.interp(time, self._time, values[:, k]) for k in range(3)], axis=1)

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Robot
+from surefoot.estimate.checks.walking.samples import finite_samples, interpolated
 from surefoot.estimate.foot_placements import foot_jacobians, foot_placements
 from surefoot.geometry.batch_rotations import Array, rotation_vectors
 from surefoot.sensor_log.sensor_log import SensorLog
@@ -62,18 +63,14 @@ class LegPaths:
 
 def leg_paths(robot: Robot, log: SensorLog) -> LegPaths | None:
     """Compute the paths of the feet for up to MAX_DURATION; None if the log is too short."""
-    good = np.isfinite(log.time)
-    for name in ("q", "gyroscope", "accelerometer"):
-        good &= np.isfinite(log.columns[name]).all(axis=1)
-    time, rows = np.unique(log.time[good], return_index=True)
-    q = log.columns["q"][good][rows]
+    time, (q, _, _) = finite_samples(log, "q", "gyroscope", "accelerometer")
     if len(time) < 2 or time[-1] - time[0] < MIN_DURATION:
         return None
     start = _first_motion(time, q)
     grid = np.arange(start, min(time[-1], start + MAX_DURATION), STEP)
     following = np.clip(np.searchsorted(time, grid), 1, len(time) - 1)
     valid = time[following] - time[following - 1] < MAX_GAP
-    angles = np.stack([np.interp(grid, time, q[:, k]) for k in range(12)], axis=1)
+    angles = interpolated(grid, time, q)
     n = len(grid)
     path, arm = np.zeros((n, 4, 4, 3)), np.zeros((n, 4, 4, 3))
     height = np.zeros((n, 4))
