@@ -95,7 +95,8 @@ struct Gains {
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
-  double walk_hold_down = 0.07;          ///< [m g] hold_down of a walking robot
+  /// [m g] hold_down while one foot of a walking robot swings.
+  double walk_hold_down = 0.07;
   double walk_acceleration = 0.2;        ///< [g] greatest acceleration of the commanded velocity
   double walk_turn_acceleration = 0.25;  ///< [g/h] the same of the commanded yaw rate
   /// [m g sqrt(g h)] Power peaks of a trot in place.

@@ -53,8 +53,7 @@ void StepSchedule::trot_at_once(const Gains& gains, const WalkVelocity& velocity
 }
 
 void StepSchedule::update_pattern(const Gains& gains, bool walk, const WalkVelocity& command,
-                                  const WalkVelocity& velocity, int leg) noexcept {
-  if (pattern_.walk && !walk) trot_at_once(gains, velocity, leg);
+                                  const WalkVelocity& velocity) noexcept {
   const StepPattern pattern = suitable_pattern(pattern_, gains, size_, walk, command);
   needs_rest_ = !(pattern == pattern_);
   const double limit = kChangeSpeed * gains.walk_gait_speed * size_.speed;

@@ -23,12 +23,15 @@ class StepSchedule {
   /// Begin with a trot in which the pair of `leg` lifts off at once.
   void start_recovery(const Gains& gains, int leg) noexcept;
 
-  /// Change the pattern: a walk becomes a trot at once; a walk begins, or changes the order of its
-  /// feet, when the body is slow and all feet stand.
+  /// Change a walk to a trot at once. A foot in the air goes on; otherwise the pair of `leg` lifts
+  /// off.
   /// @param velocity of the body trajectory
-  /// @param leg of the pair that a trot lifts first
+  void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg) noexcept;
+  /// Change the pattern when all feet stand: a trot becomes a walk, or a walk changes the order of
+  /// its feet. The body must be slow before.
+  /// @param velocity of the body trajectory
   void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command,
-                      const WalkVelocity& velocity, int leg) noexcept;
+                      const WalkVelocity& velocity) noexcept;
   /// Advance clock and phases.
   /// @param measured measured motion of the body
   /// @param contact contact confidence per foot, 0 .. 1
@@ -44,8 +47,6 @@ class StepSchedule {
   const FootContacts& contacts() const noexcept { return contacts_; }
 
  private:
-  // A foot in the air continues its swing; otherwise the pair of `leg` lifts off.
-  void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg) noexcept;
   double longest_wait(const Stumble& stumble) const noexcept;  // [s] of the clock
 
   GaitSize size_;

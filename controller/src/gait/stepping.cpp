@@ -19,12 +19,6 @@ constexpr double kSteadySpeed = 0.12;
 constexpr double kStopDistance = 0.045;
 constexpr double kStopSpeed = 0.03;
 
-// [h] Distance of the capture point from the planned one from which on a walk trots, 4 cm at
-// h = 0.3 m, and below which it may walk again after a period of the trot. Chosen: two and one and
-// a half times the error of a walk that is not pushed. Of 0.14 and 0.2, 0.14 survived more pushes.
-constexpr double kRecoveryDistance = 0.14;
-constexpr double kCalmDistance = 0.1;
-
 HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   const Matrix3& R = input.R_world_base;
   return {input.p_com.head<2>(), input.v_com.head<2>(), std::atan2(R(1, 0), R(0, 0))};
@@ -65,7 +59,8 @@ void Stepping::start_recovery(const PlannerInput& input, const Vector3& ground_n
 
 void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
                      double height_offset) noexcept {
-  at_rest_ = recovers_ = false;
+  at_rest_ = false;
+  recovery_.start();
   feet_.start(input.p_feet);
   ground_.start(surface_points(input, ground_normal), input.state.contact, ground_normal,
                 input.sole_sink.mean());
@@ -100,21 +95,14 @@ HorizontalMotion Stepping::motion_without_sway(const PlannerInput& input) const 
   return motion;
 }
 
-bool Stepping::recovers(const PlannerInput& input, const HorizontalMotion& measured) noexcept {
-  const Eigen::Vector2d error =
-      measured.p_com - body_.motion().p_com + size_.time * (measured.v_com - body_.v_world());
-  const bool leaves = error.norm() > kRecoveryDistance * size_.height;
-  recovers_ |= schedule_.pattern().walk && leaves;
-  calm_time_ = error.norm() > kCalmDistance * size_.height ? 0.0 : calm_time_ + input.dt;
-  recovers_ = recovers_ && calm_time_ < schedule_.clock().timing().period;
-  return recovers_;
-}
-
 void Stepping::update_schedule(const PlannerInput& input, bool walk, const WalkVelocity& command,
                                const HorizontalMotion& measured, bool steady) noexcept {
-  walk = walk && !recovers(input, measured);
+  const bool walks = schedule_.pattern().walk;
+  walk =
+      walk && !recovery_.update(measured, body_.motion(), walks, clock().timing().period, input.dt);
   const Eigen::Vector4d contact = feet_.judge_contacts(input, schedule_, ground_, steady);
-  schedule_.update_pattern(input.gains, walk, command, body_.velocity(), leg_to_swing(input));
+  if (walks && !walk) schedule_.trot_at_once(input.gains, body_.velocity(), leg_to_swing(input));
+  schedule_.update_pattern(input.gains, walk, command, body_.velocity());
   schedule_.advance(input, measured, body_, contact, feet_.stumble(), at_rest_);
 }
 

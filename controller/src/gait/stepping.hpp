@@ -4,6 +4,7 @@
 #include "gait/body_trajectory.hpp"
 #include "gait/step_schedule.hpp"
 #include "gait/swing_feet.hpp"
+#include "gait/walk_recovery.hpp"
 
 namespace surefoot {
 
@@ -12,7 +13,7 @@ namespace surefoot {
 class Stepping {
  public:
   explicit Stepping(const GaitSize& size)
-      : size_(size), schedule_(size), feet_(size), body_(size), sway_(size) {}
+      : size_(size), schedule_(size), feet_(size), body_(size), sway_(size), recovery_(size) {}
 
   /// Begin at the measured state: all feet stand.
   /// @param ground_normal of the ground under the stand, unit length
@@ -51,7 +52,6 @@ class Stepping {
              double height_offset) noexcept;
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
   bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
-  bool recovers(const PlannerInput& input, const HorizontalMotion& measured) noexcept;
   void update_schedule(const PlannerInput& input, bool walk, const WalkVelocity& command,
                        const HorizontalMotion& measured, bool steady) noexcept;
   void update_ground(const PlannerInput& input, bool steady) noexcept;
@@ -64,9 +64,8 @@ class Stepping {
   GroundPlane ground_;
   BodyTrajectory body_;
   BodySway sway_;
-  bool at_rest_ = false;    // no foot need lift off
-  bool recovers_ = false;   // a walk trots because of a push
-  double calm_time_ = 0.0;  // [s] time since the capture point has been where it is planned
+  WalkRecovery recovery_;
+  bool at_rest_ = false;  // no foot need lift off
 };
 
 }  // namespace surefoot

@@ -39,6 +39,16 @@ void discretise_accelerometer_bias(const Gains& gains, ErrorPropagation& motion)
   motion.accelerometer_drift_variance = -stationary_variance * std::expm1(-2.0 * motion.dt * rate);
 }
 
+// Compute column k of the gain K = W S^-1, and add the correction by component k of the innovation.
+void correct_by(int k, double innovation, const ErrorCovariance::Columns& W, const Matrix3& inverse,
+                ErrorCovariance::Columns& K,
+                Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>& xi) noexcept {
+  for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
+    K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
+    xi[i] += K[k][i] * innovation;
+  }
+}
+
 }  // namespace
 
 void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3& p,
@@ -205,10 +215,7 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& f
   nis_ += nis;
   nis_dimension_ += 3;
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
-      K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
-      xi[i] += K[k][i] * innovation[k];
-    }
+    correct_by(k, innovation[k], W, inverse, K, xi);
     if (!feet.load_changes[leg]) {
       xi[kSole] -= K[k][kSole] * innovation[k];
       K[k][kSole] = 0.0;
@@ -227,12 +234,7 @@ void InvariantFilter::correct_zero_velocity(double variance) noexcept {
   S.diagonal().array() += variance;
   const Matrix3 inverse = S.inverse();
   Error xi = Error::Zero();
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
-      K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
-      xi[i] += K[k][i] * v_[k];
-    }
-  }
+  for (int k = 0; k < 3; ++k) correct_by(k, v_[k], W, inverse, K, xi);
   P_.correct(W, K, S);
   apply(xi);
 }

@@ -28,7 +28,7 @@ constexpr double kReacceptTime = 0.5;
 // offset of 2.5 rad/s passes, noise of up to 10 rad/s is a fault.
 constexpr double kMaxRateJump = 3.0;
 // [rad/s] The same while feet step: the vibration after hard landings changes the gyroscope by up
-// to 9 rad/s (a1, go1, go2 and b1 on blocks and steps, hours of walk_endurance.py).
+// to 9 rad/s (go1 and b1, ten random walks each, on blocks and steps).
 constexpr double kMaxSteppingRateJump = 12.0;
 // [rad/s], [s] Mean change of the gyroscope between two samples, over this time, above which a
 // stepping robot's gyroscope is noise. Vibration dies out within 30 ms, so its mean stays below 3;
