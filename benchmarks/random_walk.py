@@ -25,6 +25,9 @@ MAX_SLOPE, BLOCK_HEIGHT, STEP_HEIGHT, MAX_SINK = 10.0, 0.03, 0.05, 0.01  # [deg]
 # [sqrt(g h)] Largest speed on all grounds but the level one: 0.5 m/s on a go1. h is the height of
 # the base.
 ROUGH_SPEED = 0.3
+# Share of the velocity limits: on a go1 1.5 m/s forward, 0.6 m/s to the side and 2 rad/s, the
+# velocities of walk_table.py.
+SPEED_SHARE = 0.7
 STOP_SHARE, GAIT_SHARE = 0.15, 0.3  # share of commands with velocity 0, and with another gait
 # [m] Distance from the middle of blocks or of a step from which on the robot walks back to it.
 MAX_DISTANCE = 2.0
@@ -146,7 +149,7 @@ def _velocity_limits(gains: Gains, height: float, level: bool) -> tuple[np.ndarr
         [gains.walk_speed_backward, gains.walk_speed_forward, gains.walk_speed_sideways]
     )
     backward, forward, sideways = (
-        np.minimum(speeds, np.inf if level else ROUGH_SPEED) * height / time
+        np.minimum(SPEED_SHARE * speeds, np.inf if level else ROUGH_SPEED) * height / time
     )
-    turn = gains.walk_turn_speed / time
+    turn = SPEED_SHARE * gains.walk_turn_speed / time
     return np.array([-backward, -sideways, -turn]), np.array([forward, sideways, turn])

@@ -85,7 +85,7 @@ struct Gains {
   double gait_stance_travel = 0.9;
   /// [h corner_speed] Greatest speed of a swing foot past the body; at higher speed the duty is
   /// smaller.
-  double gait_swing_speed = 1.0;
+  double gait_swing_speed = 0.8;
   /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the
   /// capture point.
   double foothold_feedback = 0.7;
@@ -93,6 +93,7 @@ struct Gains {
   double recovery_margin = 0.05;
   double swing_height = 0.15;         ///< [h] height to which a swing foot rises
   double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
+  double walk_weight_base_tilt = 18.0;  ///< [1] weight_base_tilt of a walking robot
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
   /// [m g] hold_down while one foot of a walking robot swings.

@@ -16,6 +16,13 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
                          const BodyTrajectory& body, int leg, double time_left,
                          double stance_time) noexcept;
 
+/// Limit the change of a foothold while its foot swings, so that the foot can still reach it.
+/// Real-time: yes.
+/// @param last foothold of the tick before, world x and y [m]
+/// @param time_left until touchdown [s]
+Eigen::Vector2d within_reach(const Eigen::Vector2d& last, const Eigen::Vector2d& foothold,
+                             double time_left, double dt) noexcept;
+
 /// Move a foothold to the side of its leg if the left and the right leg would touch. Real-time:
 /// yes.
 /// @param yaw heading of the body [rad]

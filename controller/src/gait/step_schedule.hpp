@@ -23,8 +23,8 @@ class StepSchedule {
   /// Begin with a trot in which the pair of `leg` lifts off at once.
   void start_recovery(const Gains& gains, int leg) noexcept;
 
-  /// Change a walk to a trot at once. A foot in the air goes on; otherwise the pair of `leg` lifts
-  /// off.
+  /// Change a walk to a trot at once: the pair of `leg` lifts off, after a foot in the air that is
+  /// not of this pair, or is late in its swing, has landed.
   /// @param velocity of the body trajectory
   void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg) noexcept;
   /// Change the pattern when all feet stand: a trot becomes a walk, or a walk changes the order of

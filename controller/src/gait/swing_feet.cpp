@@ -70,7 +70,8 @@ void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& sch
                      const GroundPlane& ground, bool steady) noexcept {
   const FootContacts& contacts = schedule.contacts();
   const GaitClock& clock = schedule.clock();
-  if (contacts.lifted_off(leg) || contacts.lost(leg)) swings_[leg].lift_off(input.p_feet.col(leg));
+  const bool begins = contacts.lifted_off(leg) || contacts.lost(leg);
+  if (begins) swings_[leg].lift_off(input.p_feet.col(leg));
   if (contacts.phase(leg) == FootPhase::kLateSwing) {
     const double lowest =
         ground.height_at(swings_[leg].p_world().head<2>()) - kReachDepth * size_.height;
@@ -82,6 +83,7 @@ void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& sch
   Eigen::Vector2d xy =
       foothold(input.gains, size_, measured, body, leg, time_left, clock.timing().stance_time());
   if (steady) xy = keep_apart(size_, body.yaw(), leg, xy, foot_across(leg, input, contacts));
+  if (!begins) xy = within_reach(footholds_.col(leg).head<2>(), xy, time_left, input.dt);
   footholds_.col(leg) << xy, ground.height_at(xy);
   swing(leg, input, schedule, time_left);
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "dynamics/dynamics.hpp"
 #include "gait/body_trajectory.hpp"
+#include "gait/step_schedule.hpp"
 
 namespace surefoot {
 
 /// Tells when a gait walk must trot because of a push, and when it may walk again. Real-time: yes.
+///
+/// The stance feet of a walk can bring a capture point back that is within their support polygon.
+/// If it leaves the polygon, the robot must step.
 class WalkRecovery {
  public:
   explicit WalkRecovery(const GaitSize& size) : size_(size) {}
@@ -14,11 +19,10 @@ class WalkRecovery {
   /// Process one tick.
   /// @param measured measured motion of the body, without sway
   /// @param planned where the body trajectory has it
-  /// @param walks whether the feet step in the order of a walk now
-  /// @param period of the gait [s]
   /// @return whether the robot must trot
-  bool update(const HorizontalMotion& measured, const HorizontalMotion& planned, bool walks,
-              double period, double dt) noexcept;
+  bool update(const Dynamics& dynamics, const StepSchedule& schedule,
+              const HorizontalMotion& measured, const HorizontalMotion& planned,
+              double dt) noexcept;
 
  private:
   GaitSize size_;

@@ -14,11 +14,12 @@ Vector3 base_angular_acceleration(const Gains& gains, const Reference& reference
 }
 
 BodyRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
-                               const Dynamics& dynamics) noexcept {
+                               const Dynamics& dynamics, bool stepping) noexcept {
   BodyRows rows;
   rows.A_base.rightCols<3>() = dynamics.R_world_base();
   rows.b = angular_acceleration_world;
-  rows.weight << gains.weight_base_tilt, gains.weight_base_tilt, gains.weight_base_yaw;
+  const double tilt = stepping ? gains.walk_weight_base_tilt : gains.weight_base_tilt;
+  rows.weight << tilt, tilt, gains.weight_base_yaw;
   return rows;
 }
 

@@ -102,7 +102,7 @@ void QpTermsWriter::write_body(const Gains& gains, const Dynamics& dynamics,
   position.weight[2] *= edge_factor(gains.edge_height);
   edge_braking_axes(dynamics, state, reference, robot_.mass()).apply_to(position);
   position.scale = base ? units_.scale_base : units_.scale_com;
-  orientation = base_orientation_task(gains, desired.alpha, dynamics);
+  orientation = base_orientation_task(gains, desired.alpha, dynamics, reference.stepping);
   orientation.scale = units_.scale_angular;
   orientation.weight.head<2>() *= edge_factor(gains.edge_tilt);
   terms_.body_tasks = 2;
