@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/test/unit_test.hpp>
+#include <optional>
 
 #include "gait/walk_planner.hpp"
 #include "pushed_robot.hpp"
@@ -20,15 +21,17 @@ struct PlannedWalk {
   WalkPlanner planner{robot, 0.5};
   Reference reference;
   int lost_leg = -1;
+  std::optional<FeetMatrix> p_feet;  ///< [m] contact points; default: those of the joint angles
 
   PlannedWalk() {
     state.contact.setOnes();
     run(0.32);  // the planner stands for 0.3 s
   }
   void tick() {
-    BOOST_REQUIRE(planner.plan(
-        make_planner_input(state, gains, dynamics, kDt, kDelay, robot.mass(), lost_leg),
-        reference));
+    PlannerInput input =
+        make_planner_input(state, gains, dynamics, kDt, kDelay, robot.mass(), lost_leg);
+    if (p_feet) input.p_feet = *p_feet;
+    BOOST_REQUIRE(planner.plan(input, reference));
   }
   void run(double seconds) {
     for (int k = 0; k < seconds / kDt - 0.5; ++k) tick();

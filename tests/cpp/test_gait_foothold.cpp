@@ -53,6 +53,18 @@ BOOST_FIXTURE_TEST_CASE(left_and_right_feet_are_kept_apart, FootholdFixture) {
   }
 }
 
+// A minimum-jerk motion over d in T accelerates by 10 / sqrt(3) d / T^2 at most.
+BOOST_AUTO_TEST_CASE(late_change_of_a_foothold_adds_at_most_8_g_to_the_swing) {
+  const double dt = 1e-4, time = 0.1;
+  const Eigen::Vector2d first(1.0, 2.0), far = first + Eigen::Vector2d(3.0, -4.0);
+  Eigen::Vector2d place = first;
+  for (int k = 0; k < time / dt - 0.5; ++k) place = within_reach(place, far, time - k * dt, dt);
+  const double acceleration = 10.0 / std::sqrt(3.0) * (place - first).norm() / (time * time);
+  BOOST_TEST(std::abs(acceleration / kGravity - 8.0) < 0.05);
+  const Eigen::Vector2d near = first + Eigen::Vector2d(1e-4, 1e-4);
+  BOOST_TEST((within_reach(first, near, time, dt) - near).norm() < 1e-12);
+}
+
 BOOST_FIXTURE_TEST_CASE(feet_of_a_turning_body_are_placed_for_its_heading_at_mid_stance,
                         FootholdFixture) {
   walk({0.0, 0.0, 1.0}, 3.0);

@@ -5,12 +5,16 @@ using namespace surefoot;
 
 namespace {
 
-// The gait walk of a robot that moves as planned; its joints do not move.
+// The gait walk of a robot that moves as planned: stance feet stay, swing feet follow the
+// reference. Its joints do not move.
 struct GaitWalkFixture : PlannedWalk {
   std::array<int, 5> ticks{};      // by number of swing feet
   Vector3 push = Vector3::Zero();  // [m/s] velocity beyond the planned one, world axes
 
-  GaitWalkFixture() { planner.set_gait(gains, Gait::kWalk); }
+  GaitWalkFixture() {
+    planner.set_gait(gains, Gait::kWalk);
+    p_feet = contact_points(dynamics);
+  }
   void count(const WalkVelocity& velocity, double seconds) {
     ticks = {};
     for (int k = 0; k < seconds / kDt - 0.5; ++k) {
@@ -20,6 +24,10 @@ struct GaitWalkFixture : PlannedWalk {
     }
   }
   void follow() {
+    for (int leg = 0; leg < kLegs; ++leg) {
+      const FootReference& foot = reference.feet[leg];
+      if (!foot.stance) p_feet->col(leg) = foot.p_world;
+    }
     const Vector3 v = reference.v_com + push + 5.0 * (reference.p_com - dynamics.p_world_com());
     state.q.head<2>() += kDt * v.head<2>();
     state.v.head<3>() = dynamics.R_world_base().transpose() * v;
@@ -85,6 +93,17 @@ BOOST_FIXTURE_TEST_CASE(pushed_walk_trots_and_then_walks_again, GaitWalkFixture)
   count(velocity, 2.0);
   count(velocity, 2.0);
   BOOST_TEST((ticks[1] > 400 && ticks[2] == 0));
+}
+
+// The capture point of a slow push stays inside the support polygon.
+BOOST_FIXTURE_TEST_CASE(walk_goes_on_while_the_capture_point_is_over_its_feet, GaitWalkFixture) {
+  const WalkVelocity velocity{0.1, 0.0, 0.0};
+  count(velocity, 3.0);
+  push.x() = 0.1;
+  count(velocity, 0.5);
+  push.setZero();
+  count(velocity, 1.0);
+  BOOST_TEST((ticks[1] > 200 && ticks[2] == 0));
 }
 
 // All feet stand while the order changes, so the body must be slow before.

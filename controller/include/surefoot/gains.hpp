@@ -115,8 +115,8 @@ struct Gains {
   /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk.
   double walk_gait_margin = 0.12;
   double walk_gait_swing_height = 0.2;  ///< [h] swing_height of the gait walk
-  double walk_gait_speed = 0.18;        ///< [sqrt(g h)] greatest commanded speed, gait walk
-  double walk_gait_turn_speed = 0.15;   ///< [sqrt(g/h)] greatest commanded yaw rate, gait walk
+  double walk_gait_speed = 0.15;        ///< [sqrt(g h)] greatest commanded speed, gait walk
+  double walk_gait_turn_speed = 0.1;    ///< [sqrt(g/h)] greatest commanded yaw rate, gait walk
   // Estimator: noise, contact detection, external wrench.
   double noise_gyroscope = 0.01;      ///< [rad/s] gyroscope noise until it has been measured
   double noise_accelerometer = 0.1;   ///< [m/s^2] accelerometer noise until it has been measured

@@ -98,7 +98,7 @@ HorizontalMotion Stepping::motion_without_sway(const PlannerInput& input) const 
 void Stepping::update_schedule(const PlannerInput& input, bool walk, const WalkVelocity& command,
                                const HorizontalMotion& measured, bool steady) noexcept {
   const bool walks = schedule_.pattern().walk;
-  walk = walk && !recovery_.update(input.dynamics, schedule_, measured, body_.motion(), input.dt);
+  walk = walk && !recovery_.update(input, schedule_, measured, body_, sway_);
   const Eigen::Vector4d contact = feet_.judge_contacts(input, schedule_, ground_, steady);
   if (walks && !walk) schedule_.trot_at_once(input.gains, body_.velocity(), leg_to_swing(input));
   schedule_.update_pattern(input.gains, walk, command, body_.velocity());

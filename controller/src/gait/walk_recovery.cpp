@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gait/walk_recovery.hpp"
 
-#include "reference/capture_margin.hpp"
+#include "reference/support_polygon.hpp"
 
 namespace surefoot {
 
@@ -12,17 +12,26 @@ namespace {
 // walk that is not pushed.
 constexpr double kCalmDistance = 0.1;
 
+bool is_inside(const FootContacts& contacts, const FeetMatrix& p_feet,
+               const Eigen::Vector2d& p) noexcept {
+  std::array<bool, kLegs> stance;
+  for (int leg = 0; leg < kLegs; ++leg) stance[leg] = contacts.in_stance(leg);
+  const SupportPolygon polygon(p_feet, stance);
+  return !polygon.is_valid() || polygon.margin(p) >= 0.0;
+}
+
 }  // namespace
 
-bool WalkRecovery::update(const Dynamics& dynamics, const StepSchedule& schedule,
-                          const HorizontalMotion& measured, const HorizontalMotion& planned,
-                          double dt) noexcept {
-  std::array<bool, kLegs> stance;
-  for (int leg = 0; leg < kLegs; ++leg) stance[leg] = schedule.contacts().in_stance(leg);
-  const double distance =
-      (measured.p_com - planned.p_com + size_.time * (measured.v_com - planned.v_com)).norm();
-  calm_time_ = distance > kCalmDistance * size_.height ? 0.0 : calm_time_ + dt;
-  trots_ |= schedule.pattern().walk && capture_margin(dynamics, stance) < 0.0;
+bool WalkRecovery::update(const PlannerInput& input, const StepSchedule& schedule,
+                          const HorizontalMotion& measured, const BodyTrajectory& body,
+                          const BodySway& sway) noexcept {
+  const Eigen::Vector2d error =
+      measured.p_com - body.motion().p_com + size_.time * (measured.v_com - body.v_world());
+  calm_time_ = error.norm() > kCalmDistance * size_.height ? 0.0 : calm_time_ + input.dt;
+  const Eigen::Vector2d planned_zmp =
+      body.motion().p_com + sway.p() - size_.time * size_.time * (body.a_world() + sway.a());
+  const bool walks = schedule.pattern().walk;
+  trots_ |= walks && !is_inside(schedule.contacts(), input.p_feet, planned_zmp + error);
   trots_ = trots_ && calm_time_ < schedule.clock().timing().period;
   return trots_;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dynamics/dynamics.hpp"
+#include "gait/body_sway.hpp"
 #include "gait/body_trajectory.hpp"
 #include "gait/step_schedule.hpp"
 
@@ -9,8 +9,9 @@ namespace surefoot {
 
 /// Tells when a gait walk must trot because of a push, and when it may walk again. Real-time: yes.
 ///
-/// The stance feet of a walk can bring a capture point back that is within their support polygon.
-/// If it leaves the polygon, the robot must step.
+/// A push moves the capture point from its planned place by e. To keep e from growing, the
+/// zero-moment point must move by e from its planned place too. If it would leave the polygon of
+/// the stance feet, the robot must step. Source: Englsberger, Ott, Albu-Schaeffer 2015.
 class WalkRecovery {
  public:
   explicit WalkRecovery(const GaitSize& size) : size_(size) {}
@@ -18,11 +19,11 @@ class WalkRecovery {
   void start() noexcept { trots_ = false; }
   /// Process one tick.
   /// @param measured measured motion of the body, without sway
-  /// @param planned where the body trajectory has it
+  /// @param body, sway planned motion, and what a walk adds to it
   /// @return whether the robot must trot
-  bool update(const Dynamics& dynamics, const StepSchedule& schedule,
-              const HorizontalMotion& measured, const HorizontalMotion& planned,
-              double dt) noexcept;
+  bool update(const PlannerInput& input, const StepSchedule& schedule,
+              const HorizontalMotion& measured, const BodyTrajectory& body,
+              const BodySway& sway) noexcept;
 
  private:
   GaitSize size_;
