@@ -25,7 +25,7 @@ double combination_factor(const Gains& gains, bool walk, const WalkVelocity& vel
   };
   const Vector3 shares(share(velocity.vx, limits.vx), share(velocity.vy, limits.vy),
                        share(velocity.yaw_rate, limits.yaw_rate));
-  const double together = walk ? shares.norm() : shares.sum() / kMaxTrotShares;
+  const double together = walk ? shares.head<2>().norm() : shares.sum() / kMaxTrotShares;
   const double curve = std::hypot(velocity.vx, velocity.vy) * std::abs(velocity.yaw_rate) /
                        (gains.walk_acceleration * kGravity);
   return 1.0 / std::max({1.0, together, std::sqrt(curve)});
