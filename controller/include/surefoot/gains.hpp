@@ -91,8 +91,8 @@ struct Gains {
   double foothold_feedback = 0.7;
   /// [h] Capture margin below which a standing robot that has lost two contacts steps; -10: never.
   double recovery_margin = 0.05;
-  double swing_height = 0.15;         ///< [h] height to which a swing foot rises
-  double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
+  double swing_height = 0.15;           ///< [h] height to which a swing foot rises
+  double swing_landing_speed = 0.16;    ///< [sqrt(g h)] downward speed at which a foot lands
   double walk_weight_base_tilt = 18.0;  ///< [1] weight_base_tilt of a walking robot
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;

@@ -17,8 +17,9 @@ constexpr double kMaxWait = 0.15;
 // larger: the feet stay too far behind.
 constexpr double kChangeSpeed = 0.25;
 // Share of a walk's swing from which on the foot lands before the robot trots. Before it, a foot of
-// the pair that shall swing begins a new swing together with the other foot of the pair. Pushed go1 fell in 1 of 16 minutes with
-// 0.35 and with 0.6, and in 3 with 0, where the foot always lands first.
+// the pair that shall swing begins a new swing together with the other foot of the pair. Pushed go1
+// fell in 1 of 16 minutes with 0.35 and with 0.6, and in 3 with 0, where the foot always lands
+// first.
 constexpr double kLateSwing = 0.5;
 
 }  // namespace
