@@ -25,8 +25,7 @@ MAX_SLOPE, BLOCK_HEIGHT, STEP_HEIGHT, MAX_SINK = 10.0, 0.03, 0.05, 0.01  # [deg]
 # [sqrt(g h)] Largest speed on all grounds but the level one: 0.5 m/s on a go1. h is the height of
 # the base.
 ROUGH_SPEED = 0.3
-# Share of the velocity limits: on a go1 1.5 m/s forward, 0.6 m/s to the side and 2 rad/s, the
-# velocities of walk_table.py.
+# Share of the velocity limits: on a go1 1.5 m/s forward, 0.6 m/s to the side and 2 rad/s.
 SPEED_SHARE = 0.7
 STOP_SHARE, GAIT_SHARE = 0.15, 0.3  # share of commands with velocity 0, and with another gait
 # [m] Distance from the middle of blocks or of a step from which on the robot walks back to it.

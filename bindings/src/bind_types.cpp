@@ -171,8 +171,8 @@ void bind_reference(nb::module_& m) {
       .def_rw(
           "stepping", &Reference::stepping,
           "True: feet are about to step, so the capture point may leave the support polygon.\n\n"
-          "The QP then has no priorities at support edges, and the tick predicts the state\n"
-          "over the delay.")
+          "The QP then has no priorities at support edges, and the tilt weight, joint limit rate\n"
+          "and hold-down of a walking robot. The tick predicts the state over the delay.")
       .def_rw("w_world_base", &Reference::w_world_base,
               "Angular velocity of the base [rad/s], world axes, shape (3,).")
       .def_rw("alpha_world_base", &Reference::alpha_world_base,

@@ -54,7 +54,7 @@ BOOST_FIXTURE_TEST_CASE(left_and_right_feet_are_kept_apart, FootholdFixture) {
 }
 
 // A minimum-jerk motion over d in T accelerates by 10 / sqrt(3) d / T^2 at most.
-BOOST_AUTO_TEST_CASE(late_change_of_a_foothold_adds_at_most_8_g_to_the_swing) {
+BOOST_AUTO_TEST_CASE(allowed_change_of_a_foothold_would_take_8_g_if_made_at_once) {
   const double dt = 1e-4, time = 0.1;
   const Eigen::Vector2d first(1.0, 2.0), far = first + Eigen::Vector2d(3.0, -4.0);
   Eigen::Vector2d place = first;

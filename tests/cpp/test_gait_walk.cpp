@@ -95,8 +95,8 @@ BOOST_FIXTURE_TEST_CASE(pushed_walk_trots_and_then_walks_again, GaitWalkFixture)
   BOOST_TEST((ticks[1] > 400 && ticks[2] == 0));
 }
 
-// The capture point of a slow push stays inside the support polygon.
-BOOST_FIXTURE_TEST_CASE(walk_goes_on_while_the_capture_point_is_over_its_feet, GaitWalkFixture) {
+// The zero-moment point that brakes the push stays inside the support polygon.
+BOOST_FIXTURE_TEST_CASE(walk_goes_on_if_its_stance_feet_can_brake_the_push, GaitWalkFixture) {
   const WalkVelocity velocity{0.1, 0.0, 0.0};
   count(velocity, 3.0);
   push.x() = 0.1;

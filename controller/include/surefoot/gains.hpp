@@ -84,7 +84,7 @@ struct Gains {
   /// shorter.
   double gait_stance_travel = 0.9;
   /// [h corner_speed] Greatest speed of a swing foot past the body; at higher speed the duty is
-  /// smaller.
+  /// smaller. With 1.0 a go2 falls at 1.5 m/s in one of four runs.
   double gait_swing_speed = 0.8;
   /// [sqrt(h/g)] Distance of a foothold ahead, per velocity beyond the commanded one; 1: the
   /// capture point.

@@ -119,8 +119,8 @@ struct Reference {
   bool use_forces = false;
   /// [rad] Joint angles of the posture task, shape (nv - 6,), order of v[6:]; empty: standing pose.
   Eigen::VectorXd posture;
-  /// True: feet are about to step, so the capture point may leave the support polygon. The QP then
-  /// has no priorities at support edges.
+  /// True: feet are about to step. The QP then has no priorities at support edges, and the tilt
+  /// weight, joint limit rate and hold-down of a walking robot.
   bool stepping = false;
   /// Ground normal, the same for all feet: unit length, pointing out of the ground.
   Vector3 ground_normal = Vector3::UnitZ();

@@ -19,10 +19,12 @@ constexpr double kMinSide = 0.27;
 // [h] Smallest distance of a foothold from the foot across, to its own side: 6 cm at h = 0.3 m.
 // Chosen: with less, the calves of the left and the right leg touch.
 constexpr double kMinGap = 0.2;
-// [g] Largest acceleration that a change of the foothold may add to a swing. Chosen: twice that of
-// the longest swings. Of 3, 6, 8 and 12, robots with random commands and pushes fell most often
-// with 3; without a limit they fell more often than with any.
-constexpr double kMaxAddedAcceleration = 8.0;
+// [g] Limit of late changes of a foothold: the change that is still allowed, made at once, adds
+// this acceleration to the swing. Spread over the swing it adds up to three times as much, because
+// its last parts have less time. Chosen: a little more than a steady swing at 1.5 m/s needs. Of 3,
+// 6, 8 and 12, robots with random commands and pushes fell most often with 3; without a limit they
+// fell more often than with any.
+constexpr double kLateChange = 8.0;
 
 // Return the planned place of a foot at touchdown in a steady walk, from the centre of mass, in
 // axes of the heading at mid-stance.
@@ -58,7 +60,7 @@ Eigen::Vector2d within_reach(const Eigen::Vector2d& last, const Eigen::Vector2d&
                              double time_left, double dt) noexcept {
   // Largest acceleration of a minimum-jerk motion over d in T: 10 / sqrt(3) d / T^2. So the
   // foothold may still move by d = sqrt(3) / 10 a T^2, and its speed is the derivative by T.
-  const double speed = 0.2 * std::sqrt(3.0) * kMaxAddedAcceleration * kGravity * time_left;
+  const double speed = 0.2 * std::sqrt(3.0) * kLateChange * kGravity * time_left;
   const Eigen::Vector2d change = foothold - last;
   return last + std::min(1.0, speed * dt / std::max(change.norm(), 1e-12)) * change;
 }

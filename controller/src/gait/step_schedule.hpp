@@ -23,8 +23,9 @@ class StepSchedule {
   /// Begin with a trot in which the pair of `leg` lifts off at once.
   void start_recovery(const Gains& gains, int leg) noexcept;
 
-  /// Change a walk to a trot at once: the pair of `leg` lifts off, after a foot in the air that is
-  /// not of this pair, or is late in its swing, has landed.
+  /// Change a walk to a trot at once. If no foot is in the air, or one of the pair of `leg` in the
+  /// first half of its swing, this pair swings. Otherwise the foot in the air lands first, and the
+  /// pair that it does not belong to lifts off next.
   /// @param velocity of the body trajectory
   void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg) noexcept;
   /// Change the pattern when all feet stand: a trot becomes a walk, or a walk changes the order of

@@ -15,9 +15,10 @@ namespace {
 // it.
 constexpr double kMaxTrotShares = 1.15;
 
-// Return the factor, 0 .. 1, that brings a combined velocity within reach. A leg that moves
-// sideways or turns has less travel left for the forward motion. In a curve the body accelerates by
-// |v| |yaw rate|: at most by walk_acceleration, as along the path.
+// Return the factor, 0 .. 1, that brings a combined velocity within reach. In a trot a leg that
+// moves sideways or turns has less travel left for the forward motion. A gait walk has one speed
+// limit in every direction. In a curve the body accelerates by |v| |yaw rate|: at most by
+// walk_acceleration, as along the path.
 double combination_factor(const Gains& gains, bool walk, const WalkVelocity& velocity,
                           const WalkVelocity& limits) noexcept {
   const auto share = [](double value, double limit) {

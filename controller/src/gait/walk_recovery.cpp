@@ -27,11 +27,12 @@ bool WalkRecovery::update(const PlannerInput& input, const StepSchedule& schedul
                           const BodySway& sway) noexcept {
   const Eigen::Vector2d error =
       measured.p_com - body.motion().p_com + size_.time * (measured.v_com - body.v_world());
-  calm_time_ = error.norm() > kCalmDistance * size_.height ? 0.0 : calm_time_ + input.dt;
+  const bool calm = error.norm() <= kCalmDistance * size_.height;
+  calm_time_ = calm ? calm_time_ + input.dt : 0.0;
   const Eigen::Vector2d planned_zmp =
       body.motion().p_com + sway.p() - size_.time * size_.time * (body.a_world() + sway.a());
   const bool walks = schedule.pattern().walk;
-  trots_ |= walks && !is_inside(schedule.contacts(), input.p_feet, planned_zmp + error);
+  trots_ |= walks && !calm && !is_inside(schedule.contacts(), input.p_feet, planned_zmp + error);
   trots_ = trots_ && calm_time_ < schedule.clock().timing().period;
   return trots_;
 }

@@ -11,12 +11,16 @@ namespace surefoot {
 ///
 /// A push moves the capture point from its planned place by e. To keep e from growing, the
 /// zero-moment point must move by e from its planned place too. If it would leave the polygon of
-/// the stance feet, the robot must step. Source: Englsberger, Ott, Albu-Schaeffer 2015.
+/// the stance feet, the robot must step. An error below 0.1 h needs no step. Source: Englsberger,
+/// Ott, Albu-Schaeffer 2015.
 class WalkRecovery {
  public:
   explicit WalkRecovery(const GaitSize& size) : size_(size) {}
 
-  void start() noexcept { trots_ = false; }
+  void start() noexcept {
+    trots_ = false;
+    calm_time_ = 0.0;
+  }
   /// Process one tick.
   /// @param measured measured motion of the body, without sway
   /// @param body, sway planned motion, and what a walk adds to it

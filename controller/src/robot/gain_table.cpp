@@ -124,7 +124,7 @@ constexpr GainInfo kRows[] = {
     {kWalking, "swing_landing_speed", "sqrt(g h)", 0, 1, &G::swing_landing_speed,
      "downward speed at which a foot lands"},
     {kWalking, "walk_weight_base_tilt", "1", 1e-4, 1e4, &G::walk_weight_base_tilt,
-     "weight_base_tilt of a walking robot"},
+     "weight_base_tilt while the robot steps"},
     {kWalking, "walk_joint_limit_rate", "1/s", 1, 200, &G::walk_joint_limit_rate,
      "joint_limit_rate of a walking robot"},
     {kWalking, "walk_hold_down", "m g", 0, 0.2, &G::walk_hold_down,
