@@ -52,7 +52,7 @@ def test_pushed_go1_trots_and_walks_again_while_its_direction_changes() -> None:
         "0.2,0.2,0.2 -0.2,0.2,0.2 0,-0.2,-0.5 0.25,0,0 -0.1,-0.2,0.3 0,0,-0.6 0.2,-0.1,0 0,0,0"
     )
     velocities = [f"{v}@{0.5 + 2.5 * k}" for k, v in enumerate(directions.split())]
-    pushes = [parse_push(f"{90 * k + 30}:60%:0.1@{4.0 + 4.3 * k}") for k in range(4)]
+    pushes = [parse_push(f"{90 * k + 30}:100%:0.1@{4.0 + 4.3 * k}") for k in range(4)]
     plant = replace(walking_plant(), foot_force="raw", soft_ground_sink=0.005)
     log = run_walk(
         WalkSettings(
@@ -67,8 +67,8 @@ def test_pushed_go1_trots_and_walks_again_while_its_direction_changes() -> None:
     assert not summary["fell"] and summary["stands_at_end"]
     trots = (log.planned_loads > 0.0).sum(axis=1) <= 2
     times = [[round((push.time + after) * log.rate) for after in (0, 2, 3)] for push in log.pushes]
-    # A walk trots only if it must: the stance feet brake some of the pushes.
-    assert sum(bool(trots[begin:calm].any()) for begin, calm, _ in times) >= 2
+    # A walk trots only if it must: its stance feet brake one of the pushes.
+    assert sum(bool(trots[begin:calm].any()) for begin, calm, _ in times) >= 3
     assert not any(trots[calm:end].any() for _, calm, end in times)
 
 
