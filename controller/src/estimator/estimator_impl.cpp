@@ -62,7 +62,6 @@ void StateEstimator::Impl::predict(double dt) noexcept {
   if (imu_filter_input.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
   filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt),
                  sole_load.process_variance(robot.config().foot_radius, dt));
-  attitude_memory.update(filter, imu_input);
   w_base = imu_input.w_base - filter.gyroscope_bias();
   w_filtered += dt / (dt + kRateFilterTime) * (w_base - w_filtered);
   alpha_base = (w_base - w_filtered) / kRateFilterTime;

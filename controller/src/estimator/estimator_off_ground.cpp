@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Estimator of a robot that does not stand: it is carried, hangs or falls.
+#include <algorithm>
+
 #include "estimator/estimator_impl.hpp"
 
 namespace surefoot {
@@ -19,10 +21,18 @@ constexpr double kCarriedTime = 0.25;
 }  // namespace
 
 // Refute the contacts that are only assumed if the IMU contradicts them. The feet have then already
-// pulled the attitude, so it is restored.
+// pulled the attitude, so it is restored. While sensors measure the force of every foot, nothing is
+// assumed.
 void StateEstimator::Impl::check_standing(double dt) noexcept {
+  const std::array<bool, kLegs>& assumed = contact.assumed();
+  if (std::none_of(assumed.begin(), assumed.end(), [](bool leg) { return leg; })) {
+    standing_check.reset();
+    attitude_memory.reset();
+    return;
+  }
+  attitude_memory.update(filter, imu_input);
   standing_check.update(
-      dynamics, {contact.assumed(), q, w_base, imu_input.f_base, robot.config().p_base_imu}, dt);
+      dynamics, {assumed, q, w_base, imu_input.f_base, robot.config().p_base_imu}, dt);
   if (standing_check.newly_refuted()) attitude_memory.restore(filter, kCarriedSpeed);
 }
 

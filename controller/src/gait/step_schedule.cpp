@@ -38,16 +38,16 @@ void StepSchedule::start_recovery(const Gains& gains, int leg) noexcept {
   clock_.start_swing(gait_timing(pattern_, gains, size_, {}), leg);
 }
 
-void StepSchedule::trot_at_once(const Gains& gains, const WalkVelocity& velocity,
-                                int leg) noexcept {
+void StepSchedule::trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg,
+                                const Stumble& stumble) noexcept {
   needs_rest_ = stops_ = false;
   pattern_.walk = false;
   const GaitTiming timing = gait_timing(pattern_, gains, size_, velocity);
   for (int swinging = 0; swinging < kLegs; ++swinging) {
     if (!clock_.in_swing(swinging)) continue;
     const bool in_pair = swinging == leg || swinging == diagonal_leg(leg);
-    if (!in_pair || clock_.swing_progress(swinging) > kLateSwing)
-      return clock_.continue_swing(timing, swinging);
+    const bool late = stumble.lifting(swinging) || clock_.swing_progress(swinging) > kLateSwing;
+    if (!in_pair || late) return clock_.continue_swing(timing, swinging);
     contacts_.restart_swing(swinging);
   }
   clock_.start_swing(timing, leg);

@@ -25,9 +25,11 @@ class StepSchedule {
 
   /// Change a walk to a trot at once. If no foot is in the air, or one of the pair of `leg` in the
   /// first half of its swing, this pair swings. Otherwise the foot in the air lands first, and the
-  /// pair that it does not belong to lifts off next.
+  /// pair that it does not belong to lifts off next. A foot that lifts over an obstacle lands first
+  /// too.
   /// @param velocity of the body trajectory
-  void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg) noexcept;
+  void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg,
+                    const Stumble& stumble) noexcept;
   /// Change the pattern when all feet stand: a trot becomes a walk, or a walk changes the order of
   /// its feet. The body must be slow before.
   /// @param velocity of the body trajectory

@@ -100,7 +100,8 @@ void Stepping::update_schedule(const PlannerInput& input, bool walk, const WalkV
   const bool walks = schedule_.pattern().walk;
   walk = walk && !recovery_.update(input, schedule_, measured, body_, sway_);
   const Eigen::Vector4d contact = feet_.judge_contacts(input, schedule_, ground_, steady);
-  if (walks && !walk) schedule_.trot_at_once(input.gains, body_.velocity(), leg_to_swing(input));
+  if (walks && !walk)
+    schedule_.trot_at_once(input.gains, body_.velocity(), leg_to_swing(input), feet_.stumble());
   schedule_.update_pattern(input.gains, walk, command, body_.velocity());
   schedule_.advance(input, measured, body_, contact, feet_.stumble(), at_rest_);
 }

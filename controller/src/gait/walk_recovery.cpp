@@ -17,7 +17,7 @@ bool is_inside(const FootContacts& contacts, const FeetMatrix& p_feet,
   std::array<bool, kLegs> stance;
   for (int leg = 0; leg < kLegs; ++leg) stance[leg] = contacts.in_stance(leg);
   const SupportPolygon polygon(p_feet, stance);
-  return !polygon.is_valid() || polygon.margin(p) >= 0.0;
+  return polygon.is_valid() && polygon.margin(p) >= 0.0;
 }
 
 }  // namespace
