@@ -8,6 +8,7 @@
 #include "robot_states.hpp"
 #include "safety/holding_torques.hpp"
 #include "safety/power_limiter.hpp"
+#include "safety/torque_command.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "tick/controller_access.hpp"
@@ -103,6 +104,34 @@ BOOST_AUTO_TEST_CASE(non_finite_input_gives_finite_holding_torques) {
   const Demand d(3);
   BOOST_TEST(limit_power(d.tau, d.hold, d.dq, std::nan("")).no_scale_within_limit);
   BOOST_TEST(limit_power(d.tau, d.hold, d.dq, -1.0).no_scale_within_limit);
+}
+
+// A pair of legs swings and all motors drive. With an evenly scaled command, the stance legs would
+// lose torque that they need to hold the robot.
+BOOST_AUTO_TEST_CASE(swing_legs_lose_power_before_the_legs_that_carry) {
+  const Robot robot = quadruped();
+  RobotState state = standing_state(robot);
+  for (int i = 0; i < kMotors; ++i) state.v[robot.motor_to_v()[i]] = 2.0;
+  Reference reference = reference_at(robot, state);
+  reference.stepping = true;
+  for (const int leg : {FR_, RL_}) reference.feet[leg].stance = false;
+  const Vector12 tau = Vector12::Constant(5.0), dq = Vector12::Constant(2.0);
+  const double full = power_of(tau, dq, 0.0);
+  const auto limited = [&](double watts) {
+    TorqueCommand command(robot, 0.0, watts);
+    command.set_torques(tau, 0.0, dynamics_at(robot, state), state, reference, Gains());
+    return command.limited();
+  };
+  const auto leg = [](const LimitedTorques& out, int k) { return out.torques.segment<3>(3 * k); };
+  const LimitedTorques little = limited(0.8 * full);
+  BOOST_TEST((little.scale == 1.0 && little.swing_scale > 0.0 && little.swing_scale < 1.0));
+  BOOST_TEST((leg(little, FL_) == leg({tau}, FL_) && leg(little, RR_) == leg({tau}, RR_)));
+  BOOST_TEST(leg(little, FR_).norm() < 0.9 * leg({tau}, FR_).norm());
+  const LimitedTorques much = limited(0.45 * full);
+  BOOST_TEST((much.swing_scale == 0.0 && much.scale < 1.0 && much.power <= 0.45 * full));
+  reference.stepping = false;
+  const LimitedTorques even = limited(0.8 * full);
+  BOOST_TEST(even.scale < 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(holding_torques_balance_gravity) {

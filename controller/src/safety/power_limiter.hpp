@@ -9,6 +9,7 @@ namespace surefoot {
 struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
   double scale = 1.0;                   ///< s of limit_power(); 1: desired, 0: holding torques
+  double swing_scale = 1.0;             ///< s of the swing legs, see TorqueCommand
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
   /// True if the power exceeds the limit for every s in [0, 1], or if a number is not finite.
   bool no_scale_within_limit = false;

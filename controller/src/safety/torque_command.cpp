@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "safety/holding_torques.hpp"
 #include "safety/motor_limits.hpp"
@@ -51,7 +52,7 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
       const double limit = torque_share_[i] * robot_.config().tau_max[i];
       hold[i] = std::clamp(hold[i], -limit, limit);  // NaN stays NaN
     }
-    limited_ = limit_power(tau, hold, dq, watts, damping_);
+    limited_ = limit_swing_legs_first(tau, hold, dq, reference, watts);
   };
   limit_power_to(state.contact, power_limit_);
   // If no scale satisfies the power limit, scale towards torques that hold the robot on all four
@@ -63,7 +64,7 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   // the fall. The power protection is then the only limit.
   if (limited_.no_scale_within_limit) limit_power_to(state.contact, kUnlimited);
   const bool any_leg_limited = limit_runaway_legs(dq, reference);
-  if (limited_.scale == 1.0 && !any_leg_limited) return false;
+  if (limited_.scale == 1.0 && limited_.swing_scale == 1.0 && !any_leg_limited) return false;
   // The scaled torques contain holding torques, which may exceed the torque that a motor can
   // produce at its speed.
   for (int i = 0; i < kMotors; ++i) {
@@ -71,6 +72,29 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
     torque = within_motor_limits(robot_.config(), i, torque, dq[i], torque_share_[i]);
   }
   return true;
+}
+
+// Limit the power of the swing legs if that is enough. Otherwise the swing legs get their holding
+// torques, and the torques of the other legs are scaled too.
+LimitedTorques TorqueCommand::limit_swing_legs_first(const Vector12& tau, const Vector12& hold,
+                                                     const Vector12& dq, const Reference& reference,
+                                                     double watts) const noexcept {
+  Vector12 without_swing = tau;
+  bool any_swings = false;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!reference.stepping || reference.feet[leg].stance) continue;
+    const int first = kLegJoints * leg;
+    without_swing.segment<kLegJoints>(first) = hold.segment<kLegJoints>(first);
+    any_swings = true;
+  }
+  if (any_swings) {
+    LimitedTorques out = limit_power(tau, without_swing, dq, watts, damping_);
+    std::swap(out.scale, out.swing_scale);
+    if (!out.no_scale_within_limit) return out;
+  }
+  LimitedTorques out = limit_power(without_swing, hold, dq, watts, damping_);
+  out.swing_scale = any_swings ? 0.0 : out.scale;
+  return out;
 }
 
 Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {

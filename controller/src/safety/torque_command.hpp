@@ -17,8 +17,9 @@ LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 
 /// Converts the torques of the QP or of the fallback chain to a LowCmd in torque mode.
 ///
-/// The class limits the power of the command, then limits the torques of runaway legs, and makes a
-/// lost leg damp. Real-time: yes.
+/// The class limits the power of the command, first that of swing legs, because the robot falls
+/// without the torques of the legs that carry it. It then limits the torques of runaway legs, and
+/// makes a lost leg damp. Real-time: yes.
 class TorqueCommand {
  public:
   /// @param motor_damping motor-side damping of every command [N.m.s/rad]
@@ -66,6 +67,9 @@ class TorqueCommand {
   }
 
  private:
+  LimitedTorques limit_swing_legs_first(const Vector12& tau, const Vector12& hold,
+                                        const Vector12& dq, const Reference& reference,
+                                        double watts) const noexcept;
   Vector12 joint_speeds(const RobotState& state) const noexcept;
   bool limit_runaway_legs(const Vector12& dq, const Reference& reference) noexcept;
 

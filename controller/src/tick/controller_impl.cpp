@@ -87,8 +87,9 @@ const LowCmd& Controller::Impl::select_command(Status tick, double elapsed) noex
   if (!command_hold.in_control()) fallback_level = FallbackLevel::kDamping;
   if (is_fresh(fallback_level)) {
     // A fallback command causes about the motion of the last solution. If the power limit scales
-    // the torques, the motion is scaled by the same factor. A runaway leg whose torques are limited
-    // moves less than recorded; this error is neglected, because its foot carries no load.
+    // the torques, the motion is scaled by the same factor. A swing leg or a runaway leg whose
+    // torques are limited moves less than recorded; this error is neglected, because its foot
+    // carries no load.
     const LimitedTorques& sent = torque_command.limited();
     predictor.record(controller.solution().accelerations, sent.scale, sent.torques,
                      state.f_external - state.f_sustained);

@@ -71,13 +71,15 @@ Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
 
 void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
                            const Reference& reference, JointLimits& limits) noexcept {
+  // A robot that steps does not brake at an edge: its unloaded legs are always released.
+  const double share = reference.stepping ? 1.0 : 1.0 - fade;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int leg = joints[k].group;
     double load = 1.0;
     if (leg < kLegs) {
       load = planned_load(reference.feet[leg]) * std::clamp(contact[leg], 0.0, 1.0);
     }
-    limits.a_widening[k] = kReleasedRange * (1.0 - fade) * (1.0 - load);
+    limits.a_widening[k] = kReleasedRange * share * (1.0 - load);
   }
 }
 
