@@ -16,8 +16,7 @@ struct DelayPredictorFixture {
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.record(2.0 * acceleration, 0.5, acceleration.tail<12>(),
-                     2.0 * acceleration.head<3>());
+    predictor.record(acceleration, acceleration.tail<12>(), 2.0 * acceleration.head<3>());
     predictor.advance(dt);
   }
   DelayPredictorFixture() { state.contact << 0.1, 0.2, 0.3, 0.4; }
@@ -49,7 +48,7 @@ BOOST_FIXTURE_TEST_CASE(zero_delay_option_assumes_a_link_delay_of_two_periods,
     BOOST_REQUIRE((undelayed.acting_command(kDt) == nullptr) == (k < 3));
     if (k >= 3)
       BOOST_TEST((undelayed.acting_command(kDt)->accelerations - (k - 3) * a).norm() < 1e-12);
-    undelayed.record(k * a, 1.0, Vector12::Zero(), Vector3::Zero());
+    undelayed.record(k * a, Vector12::Zero(), Vector3::Zero());
     undelayed.advance(kDt);
   }
   undelayed.advance(kDt);  // a sample was lost
@@ -110,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(command_buffer_wraps_and_drops_the_oldest_commands, Dela
   DelayPredictor fresh(18, kDelay);
   for (int k = 0; k < 200; ++k) send((k % 7) * a, kDt);
   for (int k = 190; k < 200; ++k) {
-    fresh.record((k % 7) * a, 1.0, Vector12::Zero(), Vector3::Zero());
+    fresh.record((k % 7) * a, Vector12::Zero(), Vector3::Zero());
     fresh.advance(kDt);
   }
   BOOST_TEST((predictor.predict(state, kDt).v - fresh.predict(state, kDt).v).norm() == 0.0);
@@ -130,7 +129,7 @@ BOOST_FIXTURE_TEST_CASE(horizon_is_the_delay_or_without_one_two_periods, DelayPr
   BOOST_TEST(undelayed.horizon(kDt) == 2.0 * kDt);
   state.v.setOnes();
   for (int k = 0; k < 5; ++k) {
-    undelayed.record(a, 1.0, Vector12::Zero(), Vector3::Zero());
+    undelayed.record(a, Vector12::Zero(), Vector3::Zero());
     undelayed.advance(kDt);
   }
   const RobotState& predicted = undelayed.predict(state, kDt);

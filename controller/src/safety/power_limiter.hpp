@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
+#include "surefoot/low_level.hpp"
 #include "surefoot/math.hpp"
 
 namespace surefoot {
@@ -10,6 +13,7 @@ struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
   double scale = 1.0;                   ///< s of limit_power(); 1: desired, 0: holding torques
   double swing_scale = 1.0;             ///< s of the swing legs, see TorqueCommand
+  std::array<bool, kLegs> swings{};     ///< legs that have swing_scale
   double power = 0.0;                   ///< [W] power of these torques, see power_of()
   /// True if the power exceeds the limit for every s in [0, 1], or if a number is not finite.
   bool no_scale_within_limit = false;

@@ -80,20 +80,20 @@ LimitedTorques TorqueCommand::limit_swing_legs_first(const Vector12& tau, const 
                                                      const Vector12& dq, const Reference& reference,
                                                      double watts) const noexcept {
   Vector12 without_swing = tau;
-  bool any_swings = false;
+  std::array<bool, kLegs> swings{};
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (!reference.stepping || reference.feet[leg].stance) continue;
+    swings[leg] = reference.stepping && !reference.feet[leg].stance;
+    if (!swings[leg]) continue;
     const int first = kLegJoints * leg;
     without_swing.segment<kLegJoints>(first) = hold.segment<kLegJoints>(first);
-    any_swings = true;
   }
-  if (any_swings) {
-    LimitedTorques out = limit_power(tau, without_swing, dq, watts, damping_);
-    std::swap(out.scale, out.swing_scale);
-    if (!out.no_scale_within_limit) return out;
+  LimitedTorques out = limit_power(tau, without_swing, dq, watts, damping_);
+  std::swap(out.scale, out.swing_scale);
+  if (out.no_scale_within_limit) {
+    out = limit_power(without_swing, hold, dq, watts, damping_);
+    out.swing_scale = 0.0;
   }
-  LimitedTorques out = limit_power(without_swing, hold, dq, watts, damping_);
-  out.swing_scale = any_swings ? 0.0 : out.scale;
+  out.swings = swings;
   return out;
 }
 

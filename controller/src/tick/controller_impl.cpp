@@ -32,7 +32,9 @@ Controller::Impl::Impl(const Robot& r, std::shared_ptr<Planner> p, const Gains& 
       fallback_chain(r),
       torque_command(r, o.motor_damping, o.power_limit) {
   estimator.set_gains(g);
-  state = estimator.state();  // gives `state` its size, so that ticks do not allocate
+  // These give vectors their sizes, so that ticks do not allocate.
+  state = estimator.state();
+  motion.setZero(r.nv());
 }
 
 void Controller::Impl::apply_gains(const Gains& gains) noexcept {
@@ -86,15 +88,25 @@ const LowCmd& Controller::Impl::select_command(Status tick, double elapsed) noex
   status = command_hold.latched() ? Status::kDamping : tick;
   if (!command_hold.in_control()) fallback_level = FallbackLevel::kDamping;
   if (is_fresh(fallback_level)) {
-    // A fallback command causes about the motion of the last solution. If the power limit scales
-    // the torques, the motion is scaled by the same factor. A swing leg or a runaway leg whose
-    // torques are limited moves less than recorded; this error is neglected, because its foot
-    // carries no load.
     const LimitedTorques& sent = torque_command.limited();
-    predictor.record(controller.solution().accelerations, sent.scale, sent.torques,
-                     state.f_external - state.f_sustained);
+    predictor.record(limited_motion(sent), sent.torques,
+                     sent.scale * (state.f_external - state.f_sustained));
   }
   return command_hold.last();
+}
+
+// Return the accelerations that limited torques cause. A fallback command causes about the motion
+// of the last solution. If the power limit scales torques, their motion is scaled by the same
+// factor. A runaway leg whose torques are limited moves less; this error is neglected, because its
+// foot carries no load.
+const Eigen::VectorXd& Controller::Impl::limited_motion(const LimitedTorques& sent) noexcept {
+  motion = sent.scale * controller.solution().accelerations;
+  for (int i = 0; i < kMotors; ++i) {
+    const int v = robot.motor_to_v()[i];
+    if (sent.swings[i / kLegJoints])
+      motion[v] = sent.swing_scale * controller.solution().accelerations[v];
+  }
+  return motion;
 }
 
 // Estimate the state, plan the reference and solve the QP.

@@ -47,6 +47,7 @@ struct Controller::Impl {
   Status fault = Status::kOk;
   FallbackLevel fallback_level = FallbackLevel::kDamping;
   std::array<std::uint64_t, kFallbackLevels> fallback_counts{};
+  Eigen::VectorXd motion;  // of limited_motion(), shape (nv,)
 
  private:
   Status estimate_and_solve(const LowState& low_state, double dt) noexcept;
@@ -56,6 +57,7 @@ struct Controller::Impl {
   Status solve(const Dynamics& dynamics, const RobotState& used_state, Status plan_status) noexcept;
   void compute_fallback(const Dynamics& dynamics, const RobotState& used_state) noexcept;
   const LowCmd& select_command(Status tick, double elapsed) noexcept;
+  const Eigen::VectorXd& limited_motion(const LimitedTorques& sent) noexcept;
 };
 
 }  // namespace surefoot

@@ -25,11 +25,11 @@ void DelayPredictor::advance(double dt) noexcept {
   if (count_ > 0) sent_[(next_ - 1 + kCapacity) % kCapacity].dt += dt;
 }
 
-void DelayPredictor::record(const Eigen::VectorXd& accelerations, double scale, const Vector12& tau,
+void DelayPredictor::record(const Eigen::VectorXd& accelerations, const Vector12& tau,
                             const Vector3& f_push) noexcept {
-  sent_[next_].accelerations = scale * accelerations;
+  sent_[next_].accelerations = accelerations;
   sent_[next_].tau = tau;
-  sent_[next_].f_push = scale * f_push;
+  sent_[next_].f_push = f_push;
   sent_[next_].dt = 0.0;
   next_ = (next_ + 1) % kCapacity;
   count_ = std::min(count_ + 1, kCapacity);

@@ -40,11 +40,10 @@ class DelayPredictor {
   void advance(double dt) noexcept;
 
   /// Record the command that is sent now, and its planned motion.
-  /// @param accelerations planned accelerations, shape (nv,)
-  /// @param scale share of `accelerations` and `f_push` that the command produces, 0 .. 1
+  /// @param accelerations accelerations that the command causes, shape (nv,)
   /// @param tau commanded torques, SDK motor order [N.m]
   /// @param f_push push that the accelerations take into account, world axes [N]
-  void record(const Eigen::VectorXd& accelerations, double scale, const Vector12& tau,
+  void record(const Eigen::VectorXd& accelerations, const Vector12& tau,
               const Vector3& f_push) noexcept;
 
   /// Return the command that acted when the newest sample was measured, horizon() ago, or null if
