@@ -16,7 +16,7 @@ struct DelayPredictorFixture {
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.record(acceleration, acceleration.tail<12>(), 2.0 * acceleration.head<3>());
+    predictor.record(acceleration, acceleration.tail<12>(), acceleration.head<3>());
     predictor.advance(dt);
   }
   DelayPredictorFixture() { state.contact << 0.1, 0.2, 0.3, 0.4; }

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dynamics/dynamics.hpp"
+#include "pushed_robot.hpp"
 #include "random_disturbances.hpp"
 #include "robot_states.hpp"
 #include "safety/holding_torques.hpp"

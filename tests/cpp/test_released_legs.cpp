@@ -107,21 +107,21 @@ BOOST_FIXTURE_TEST_CASE(swing_and_lightly_loaded_feet_are_released_too, Stretche
   }
 }
 
-// A swing foot must reach further than its joints can move. With limits that hold for the whole
-// robot, the QP throws the body to meet them.
+// A swing foot must reach further than its joints can move. If its joint limits held for the whole
+// robot, as for a swing foot of a robot that does not step, the QP would throw the body.
 BOOST_FIXTURE_TEST_CASE(swing_foot_out_of_reach_does_not_throw_the_body, StretchedLeg) {
-  reference.stepping = true;
   for (const int leg : {FL_, RR_}) reference.feet[leg].stance = false;
-  const auto solve_swing = [&](double ahead) {
+  gains.walk_joint_limit_rate = gains.joint_limit_rate = r;
+  const auto base_acceleration = [&](bool stepping) {
+    reference.stepping = stepping;
     set_foot_target_to_its_motion();
-    reference.feet[RR_].a_world = Vector3(ahead, 0.0, 0.0);
+    reference.feet[RR_].a_world = Vector3(300.0, 0.0, 0.0);
     WholeBodyController controller(robot, gains, {QpForm::kCondensed});
-    return controller.update(state, reference);
+    const Solution solution = controller.update(state, reference);
+    BOOST_TEST(calf_acceleration(solution) <= limit() + 1e-3);
+    return solution.accelerations.head<6>().norm();
   };
-  gains.walk_joint_limit_rate = r;
-  const Solution held = solve_swing(0.0), thrown = solve_swing(300.0);
-  BOOST_TEST(calf_acceleration(thrown) <= limit() + 1e-3);
-  BOOST_TEST(base_acceleration_change(held, thrown) < 5.0);
+  BOOST_TEST(base_acceleration(true) < 0.3 * base_acceleration(false));
 }
 
 BOOST_FIXTURE_TEST_CASE(released_leg_has_wider_upper_and_lower_joint_bounds, StretchedLeg) {
