@@ -32,6 +32,7 @@ class Handles:
         joint_v: (12,) indices into qvel: velocities on the link's side.
         foot_bodies: (4,) bodies of the feet.
         foot_geoms: (4,) geoms of the foot spheres.
+        foot_radius: Radius of the foot spheres [m].
         ground_geom: Geom of the ground plane or platform.
         ground_geoms: ground_geom, and the block under a foot if there is one.
         terrain_geoms: Boxes of PlantSettings.terrain.
@@ -50,6 +51,7 @@ class Handles:
     joint_v: Indices
     foot_bodies: Indices
     foot_geoms: Indices
+    foot_radius: float
     ground_geom: int
     ground_geoms: tuple[int, ...]
     terrain_geoms: frozenset[int]
@@ -84,6 +86,7 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         joint_v=np.array([model.joint(name).dofadr[0] for name in joints]),
         foot_bodies=np.array([model.body(name).id for name in feet]),
         foot_geoms=np.array([model.geom(name).id for name in feet]),
+        foot_radius=float(model.geom(feet[0]).size[0]),
         ground_geom=geom(GROUND),
         ground_geoms=tuple(id for id in map(geom, (GROUND, BLOCK)) if id >= 0),
         terrain_geoms=frozenset(

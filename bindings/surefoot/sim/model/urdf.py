@@ -33,7 +33,7 @@ def load_urdf(description: RobotDescription) -> mujoco.MjSpec:
         mesh.file = str(path)
     for body in spec.bodies:
         _set_inertia(body)
-    root_body(spec).add_freejoint(name="surefoot_base")
+    spec.worldbody.first_body().add_freejoint(name="surefoot_base")
     return spec
 
 
@@ -43,8 +43,11 @@ def one_line(problem: Exception) -> str:
 
 
 def root_body(spec: mujoco.MjSpec) -> mujoco.MjsBody:
-    """Return the robot's base: the first body of the world."""
-    return spec.worldbody.first_body()
+    """Return the robot's base: the body of the world that has a free joint."""
+    free = mujoco.mjtJoint.mjJNT_FREE
+    return next(
+        body for body in spec.worldbody.bodies if any(joint.type == free for joint in body.joints)
+    )
 
 
 def find_mesh(name: str, mesh_root: Path) -> Path:
