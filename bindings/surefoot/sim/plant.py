@@ -89,7 +89,9 @@ class Plant:
         self.settings = _resolve_settings(settings or PlantSettings(), self.description)
         self.model = build_model(self.robot, self.description, self.settings)
         self.data = mujoco.MjData(self.model)
-        self.handles = find_handles(self.model, self.robot)
+        self.handles = find_handles(
+            self.model, self.robot, calves_may_touch_ground=self.description.mjcf is not None
+        )
         if self.settings.hung:
             fix_base(self.model, self.handles)
         self._adapter = PinocchioAdapter(self.model, load_pinocchio_model(self.description))
