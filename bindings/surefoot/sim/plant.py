@@ -18,6 +18,7 @@ from surefoot.robot.loading import (
     describe_robot,
     load_pinocchio_model,
 )
+from surefoot.sim.foot_friction import foot_friction
 from surefoot.sim.hardware.motors import MotorLaw, Motors, command_law, damping_law
 from surefoot.sim.hardware.sensors import Sensors
 from surefoot.sim.hardware.wire_format import MotorCommands, WireFormat
@@ -73,6 +74,7 @@ class Plant:
         model: The MuJoCo model.
         data: The MuJoCo state; read it, do not write it.
         handles: Indices of the robot's parts in model and data.
+        friction: Smallest sliding friction coefficient of the feet on the ground.
     """
 
     def __init__(
@@ -106,6 +108,9 @@ class Plant:
         self._pushes = list(pushes)
         self._lifts: list[Lift] = []
         self.reset()
+        self.friction = self.settings.friction
+        if self.description.mjcf is not None:
+            self.friction = foot_friction(self.data, self.handles)
 
     @cached_property
     def mapping(self) -> ModelMapping | None:
