@@ -39,7 +39,7 @@ def walk_score(
         "controller": name,
         "card": card.name,
         "lip_limit_ns": _lip_limits(settings, limits),
-        "walk": _walk_section(settings, limits, unit_results),
+        "walk": walk_section(settings, limits, unit_results),
         "conditions": [
             {
                 "name": condition.name,
@@ -49,7 +49,7 @@ def walk_score(
             for condition in (card.conditions[1:] if card.condition_seeds else ())
         ],
         "references": {
-            reference.name: _walk_section(
+            reference.name: walk_section(
                 settings, limits, controller_results(results, reference.name)
             )
             for reference in walk_plan.walking_references(settings)
@@ -61,9 +61,10 @@ def walk_score(
     return result
 
 
-def _walk_section(
+def walk_section(
     settings: AssessSettings, limits: PushLimits, unit_results: UnitResults
 ) -> dict[str, Any]:
+    """Return the walks and pushes of one controller under the nominal condition."""
     card = settings.walk_card
     return {
         "velocities": [
