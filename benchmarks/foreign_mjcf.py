@@ -40,6 +40,8 @@ def write_mjcf(path: Path, *changes: Change, robot: str = "go1") -> Path:
 
 
 def friction(coefficient: float) -> Change:
+    """Set the sliding friction of the feet."""
+
     def change(spec: mujoco.MjSpec) -> None:
         for name in FEET:
             spec.geom(name).friction = [coefficient, 0.005, 0.0001]
@@ -48,11 +50,14 @@ def friction(coefficient: float) -> Change:
 
 
 def soft_contact(spec: mujoco.MjSpec) -> None:
+    """Give the feet the contact stiffness of MuJoCo Menagerie's quadrupeds."""
     for name in FEET:
         spec.geom(name).solref, spec.geom(name).solimp = [0.02, 1.0], SOFT_SOLIMP
 
 
 def damping(value: float) -> Change:
+    """Set the joint damping [N.m.s/rad]."""
+
     def change(spec: mujoco.MjSpec) -> None:
         for joint in hinges(spec):
             joint.damping = [value, 0.0, 0.0]
@@ -61,6 +66,8 @@ def damping(value: float) -> Change:
 
 
 def mass(scale: float) -> Change:
+    """Scale masses and inertias of all bodies."""
+
     def change(spec: mujoco.MjSpec) -> None:
         for body in spec.bodies[1:]:
             body.mass *= scale
@@ -70,6 +77,8 @@ def mass(scale: float) -> Change:
 
 
 def foot_radius(scale: float) -> Change:
+    """Scale the radius of the feet."""
+
     def change(spec: mujoco.MjSpec) -> None:
         for name in FEET:
             spec.geom(name).size = scale * np.array(spec.geom(name).size)
@@ -78,6 +87,7 @@ def foot_radius(scale: float) -> Change:
 
 
 def imu_elsewhere(spec: mujoco.MjSpec) -> None:
+    """Move the IMU site to IMU_POSITION."""
     spec.site("imu").pos = IMU_POSITION
 
 
@@ -100,6 +110,7 @@ def other_axes(spec: mujoco.MjSpec) -> None:
 
 
 def hinges(spec: mujoco.MjSpec) -> list[mujoco.MjsJoint]:
+    """Return all hinge joints."""
     return [joint for joint in spec.joints if joint.type == mujoco.mjtJoint.mjJNT_HINGE]
 
 

@@ -1,4 +1,4 @@
-"""Sources of a robot: by name, by files, or with the MJCF of a foreign plant; all can be pickled."""
+"""Sources of a robot that can be pickled: by name, by files, or with an MJCF."""
 
 from __future__ import annotations
 

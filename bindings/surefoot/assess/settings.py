@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from surefoot._core import Error, Robot
-from surefoot.assess.robot_source import RobotSource, describe_source, mjcf_digest
 from surefoot.assess.controller_under_test import ControllerUnderTest, find_factory
+from surefoot.assess.robot_source import describe_source, mjcf_digest
 from surefoot.assess.scorecard import Scorecard, standard_scorecard
 from surefoot.assess.time_limit import time_limit
 from surefoot.assess.walking.walk_scorecard import WalkScorecard

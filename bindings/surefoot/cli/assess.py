@@ -18,7 +18,12 @@ from surefoot.cli.output_files import (
     write_json,
 )
 from surefoot.cli.progress import progress_bar, report_kept_results
-from surefoot.cli.robot_choice import add_mjcf_option, add_robot_options, chosen_robot, print_mapping
+from surefoot.cli.robot_choice import (
+    add_mjcf_option,
+    add_robot_options,
+    chosen_robot,
+    print_mapping,
+)
 from surefoot.robot.gain_files import gain_values, load_gains
 from surefoot.robot.loading import build_robot
 
@@ -29,8 +34,9 @@ _EPILOG = """\
 Pushes the robot in all directions, then varies ground, payload, link and motors, with real sensors
 at 500 Hz and many seeds. With --walk it assesses a controller that walks: velocities, pushes while
 it walks, and conditions. With --mjcf, pushes and stands, or walks, are repeated on the robot of an
-MJCF; the scorecard has a section for them. Impulses are compared with the LIP push limit (linear inverted pendulum)
-and with the push limit of the robot. With --store, an interrupted assessment can be resumed.
+MJCF; the scorecard has a section for them. Impulses are compared with the LIP push limit (linear
+inverted pendulum) and with the push limit of the robot. With --store, an interrupted assessment can
+be resumed.
 
 exit status: 0 done, 1 a file could not be written (results in the store are kept), 2 a wrong
 argument, scenario or store, 130 interrupted"""

@@ -46,9 +46,7 @@ def robots(arguments: argparse.Namespace) -> None:
         return
     if arguments.check is None:
         if arguments.config is not None or arguments.robot is not None:
-            raise Error(
-                "got --config or --robot alone, expected --check with a URDF, or --mjcf"
-            )
+            raise Error("got --config or --robot alone, expected --check with a URDF, or --mjcf")
         list_robots(arguments)
         return
     description = _description(arguments)

@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING
 from surefoot._core import Error, Gains
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
-from surefoot.cli.robot_choice import add_mjcf_option, add_robot_options, chosen_robot, print_mapping
+from surefoot.cli.robot_choice import (
+    add_mjcf_option,
+    add_robot_options,
+    chosen_robot,
+    print_mapping,
+)
 from surefoot.protocol import default_generation
 from surefoot.robot.description import RobotDescription
 from surefoot.robot.gain_files import load_gains

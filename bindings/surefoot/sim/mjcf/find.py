@@ -70,9 +70,7 @@ def find_parts(path: Path, robot: Robot) -> MjcfParts:
         tree, ground = find_tree(model), find_ground(model)
         feet = find_feet(model, tree, ground)
         conventions = joint_conventions(model, tree, feet, robot)
-        return MjcfParts(
-            spec, model, tree, feet, find_imu(model, tree, robot), ground, conventions
-        )
+        return MjcfParts(spec, model, tree, feet, find_imu(model, tree, robot), ground, conventions)
     except Error as problem:
         raise Error(f"MJCF '{path}': {problem}") from None
 
@@ -147,9 +145,7 @@ def _notes(parts: MjcfParts) -> list[str]:
         )
     if model.nkey:
         names = ", ".join(f"'{model.key(k).name}'" for k in range(model.nkey))
-        notes.append(
-            f"keyframes are not used: {names}; the robot starts in its standing pose"
-        )
+        notes.append(f"keyframes are not used: {names}; the robot starts in its standing pose")
     if parts.ground.obstacles:
         names = ", ".join(f"'{geom_name(model, geom)}'" for geom in parts.ground.obstacles)
         notes.append(f"obstacles, which only feet and calves may touch: {names}")
