@@ -160,7 +160,8 @@ def _notes(parts: MjcfParts) -> list[str]:
 
 def integrator_name(spec: mujoco.MjSpec) -> str:
     """Return the name of the file's integrator, such as EULER."""
-    return mujoco.mjtIntegrator(int(spec.option.integrator)).name.removeprefix("mjINT_")
+    name: str = mujoco.mjtIntegrator(int(spec.option.integrator)).name
+    return name.removeprefix("mjINT_")
 
 
 def is_usable_integrator(spec: mujoco.MjSpec) -> bool:
