@@ -154,6 +154,28 @@ def test_legs_of_another_robot_are_refused(tmp_path: Path) -> None:
         Plant("go1", mjcf=path)
 
 
+def test_range_without_the_standing_pose_is_refused(tmp_path: Path, files: dict[str, Path]) -> None:
+    path = tmp_path / "robot.xml"
+    text = files["other initial pose"].read_text()
+    path.write_text(re.sub(r'(name="RL_calf_joint" range=)"[^"]*"', r'\1"-0.2 0.5"', text))
+    with pytest.raises(Error, match=r"joint 'RL_calf_joint': got range -0\.2 .. 0\.5 rad, .*-0\.4"):
+        Plant("go1", mjcf=path)
+
+
+def test_robot_walks_onto_an_obstacle_of_the_file(tmp_path: Path, files: dict[str, Path]) -> None:
+    path = tmp_path / "robot.xml"
+    box = '<geom name="step" type="box" size="0.5 1 0.02" pos="0.75 0 0.02"/></worldbody>'
+    path.write_text(files["ours"].read_text().replace("</worldbody>", box))
+    plant = Plant("go1", COARSE, mjcf=path)
+    controller, state = surefoot.WalkController(plant.robot), plant.reset()
+    for _ in range(1500):
+        controller.set_velocity(surefoot.WalkVelocity(0.3, 0.0, 0.0))
+        state = plant.step(controller.update(state))
+    truth = plant.truth
+    assert not truth.fell and truth.p_world_feet[2].max() > 0.055
+    assert truth.foot_forces[2].sum() > 0.5 * 9.81 * plant.robot.mass
+
+
 def test_live_tuning_simulates_the_robot_of_the_file(files: dict[str, Path]) -> None:
     simulation = Simulation(describe_robot("go1").with_mjcf(files["friction 0.4"]))
     assert simulation.plant.friction == 0.4

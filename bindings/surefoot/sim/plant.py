@@ -23,7 +23,7 @@ from surefoot.sim.hardware.motors import MotorLaw, Motors, command_law, damping_
 from surefoot.sim.hardware.sensors import Sensors
 from surefoot.sim.hardware.wire_format import MotorCommands, WireFormat
 from surefoot.sim.lip_push_limit import lip_push_limit
-from surefoot.sim.mjcf.find import describe_mjcf
+from surefoot.sim.mjcf.describe import describe_mjcf
 from surefoot.sim.mjcf.mapping import ModelMapping
 from surefoot.sim.model.leg_collisions import leg_contacts, part_of_geoms
 from surefoot.sim.model.mujoco_handles import find_handles

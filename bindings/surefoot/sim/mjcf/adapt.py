@@ -13,7 +13,8 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Robot
-from surefoot.sim.mjcf.find import MjcfParts, is_usable_integrator
+from surefoot.sim.mjcf.find import MjcfParts
+from surefoot.sim.mjcf.integrator import is_usable_integrator
 from surefoot.sim.model.scene import GROUND, TERRAIN
 from surefoot.sim.settings import PlantSettings
 

@@ -17,7 +17,8 @@ from surefoot._core import Error, Robot
 from surefoot.geometry.rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sim.mjcf.feet import Foot
-from surefoot.sim.mjcf.tree import Tree, joint_name
+from surefoot.sim.mjcf.names import joint_name
+from surefoot.sim.mjcf.tree import Tree
 
 # [rad] Difference of zeros that counts as another shape of the links, not as another convention.
 # Chosen: ten times the difference of the known files of one robot (a foot 2 mm behind its calf).

@@ -10,8 +10,9 @@ import numpy as np
 
 from surefoot._core import Error
 from surefoot.geometry.rotations import Array
-from surefoot.sim.mjcf.ground import Ground, collides, geom_name
-from surefoot.sim.mjcf.tree import Tree, body_name
+from surefoot.sim.mjcf.ground import Ground, collides
+from surefoot.sim.mjcf.names import body_name, geom_name
+from surefoot.sim.mjcf.tree import Tree
 
 # Share of a foot's radius by which the feet may differ. Chosen: above the rounding of any file.
 _RADIUS_TOLERANCE = 0.01

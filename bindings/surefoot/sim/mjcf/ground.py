@@ -9,7 +9,7 @@ import numpy as np
 
 from surefoot._core import Error
 from surefoot.geometry.rotations import matrix_from_wxyz
-from surefoot.sim.mjcf.tree import body_name, element_name
+from surefoot.sim.mjcf.names import body_name, geom_name
 
 # Numerical: text of five digits, as MuJoCo's exporters write it.
 _LEVEL_TOLERANCE = 1e-4
@@ -26,11 +26,6 @@ class Ground:
 
     plane: int | None
     obstacles: tuple[int, ...]
-
-
-def geom_name(model: mujoco.MjModel, geom: int) -> str:
-    """Return the name of a geom as element_name() does."""
-    return element_name(model, mujoco.mjtObj.mjOBJ_GEOM, geom)
 
 
 def collides(model: mujoco.MjModel, geom: int) -> bool:

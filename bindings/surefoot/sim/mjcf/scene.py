@@ -8,8 +8,10 @@ import mujoco
 
 from surefoot._core import Error, Robot
 from surefoot.sim.mjcf.adapt import adapt_mjcf
-from surefoot.sim.mjcf.find import find_parts, length_doubts
+from surefoot.sim.mjcf.doubts import length_doubts
+from surefoot.sim.mjcf.find import MjcfParts, find_parts
 from surefoot.sim.mjcf.imu_mount import ImuMount
+from surefoot.sim.mjcf.names import joint_name
 from surefoot.sim.mjcf.replaced_settings import check_replaced_settings
 from surefoot.sim.settings import PlantSettings
 
@@ -31,11 +33,30 @@ def mjcf_scene(
 
     Raises:
         Error: A setting is replaced by the file, the file is invalid, a part is missing or not
-            supported, or the legs are those of another robot.
+            supported, the legs are those of another robot, or a joint cannot reach the standing
+            pose.
     """
     check_replaced_settings(settings)
     parts = find_parts(path, robot)
     for doubt in length_doubts(parts, robot, _OTHER_ROBOT):
         raise Error(f"MJCF '{path}': {doubt}")
+    _check_ranges(parts, path, robot)
     adapt_mjcf(parts, robot, settings, visuals)
     return parts.spec, parts.imu
+
+
+def _check_ranges(parts: MjcfParts, path: Path, robot: Robot) -> None:
+    """Raise Error if the standing pose is outside the range of a joint of the file."""
+    model, joints = parts.model, [joint for leg in parts.tree.legs for joint in leg]
+    for joint, convention, standing in zip(
+        joints, parts.conventions, robot.config.q_standing, strict=True
+    ):
+        start = float(model.qpos0[model.jnt_qposadr[joint]])
+        angle = start + convention.sign * (standing - convention.reference)
+        low, high = model.jnt_range[joint]
+        if model.jnt_limited[joint] and not low <= angle <= high:
+            raise Error(
+                f"MJCF '{path}': joint '{joint_name(model, joint)}': got range {low:.4g} .. "
+                f"{high:.4g} rad, expected one with the standing pose of '{robot.name}', "
+                f"{angle:.4g} rad in the file"
+            )
