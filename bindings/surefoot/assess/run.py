@@ -51,10 +51,8 @@ def run_assess(
         unit_results = controller_results(store.results, settings.controller_under_test.name)
         section = None if foreign is None else foreign.section(unit_results)
         if walks:
-            filled = walk_score(settings, robot, limits, store.results)
-            return {**filled, "foreign_plant": section}
-        filled = score(settings, robot, limits, store.results)
-    filled["foreign_plant"] = section
+            return walk_score(settings, robot, limits, store.results, section)
+        filled = score(settings, robot, limits, store.results, section)
     filled["films"] = [] if films is None else make_films(settings, limits, unit_results, films)
     return filled
 

@@ -29,9 +29,21 @@ FIGURES = (
 
 
 def walk_score(
-    settings: AssessSettings, robot: Robot, limits: PushLimits, results: StoredResults
+    settings: AssessSettings,
+    robot: Robot,
+    limits: PushLimits,
+    results: StoredResults,
+    foreign_plant: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """Return the filled scorecard as JSON values."""
+    """Return the filled scorecard as JSON values.
+
+    Args:
+        settings: Settings of the assessment.
+        robot: Model of the robot.
+        limits: Push limits of the model.
+        results: Results of all units.
+        foreign_plant: Section of the foreign plant; None: there is no MJCF.
+    """
     card, name = settings.walk_card, settings.controller_under_test.name
     unit_results = controller_results(results, name)
     filled = {
@@ -54,6 +66,7 @@ def walk_score(
             )
             for reference in walk_plan.walking_references(settings)
         },
+        "foreign_plant": foreign_plant,
         "settings": settings.to_dict(robot),
         "versions": describe_machine()["versions"],
     }

@@ -33,7 +33,7 @@ def load_urdf(description: RobotDescription) -> mujoco.MjSpec:
         mesh.file = str(path)
     for body in spec.bodies:
         _set_inertia(body)
-    spec.worldbody.first_body().add_freejoint(name="surefoot_base")
+    root_body(spec).add_freejoint(name="surefoot_base")
     return spec
 
 
@@ -43,11 +43,12 @@ def one_line(problem: Exception) -> str:
 
 
 def root_body(spec: mujoco.MjSpec) -> mujoco.MjsBody:
-    """Return the robot's base: the body of the world that has a free joint."""
+    """Return the robot's base: the body with a free joint, else the first body of the world."""
     free = mujoco.mjtJoint.mjJNT_FREE
-    return next(
-        body for body in spec.worldbody.bodies if any(joint.type == free for joint in body.joints)
-    )
+    for body in spec.worldbody.bodies:
+        if any(joint.type == free for joint in body.joints):
+            return body
+    return spec.worldbody.first_body()
 
 
 def find_mesh(name: str, mesh_root: Path) -> Path:
