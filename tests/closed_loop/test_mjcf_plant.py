@@ -120,6 +120,24 @@ def test_foot_without_a_ground_stands_on_a_plane_with_its_own_friction(
     assert plant.mapping is not None and "a plane is added" in plant.mapping.ground
 
 
+def test_feet_that_collide_by_contact_pairs_stand_with_the_friction_of_the_pairs(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    text = files["ours"].read_text()
+    names = [f"foot {k}" for k in range(4)]
+    for name, new in zip(("FR_foot", "FL_foot", "RR_foot", "RL_foot"), names, strict=True):
+        old = f'<geom name="{name}"'
+        text = text.replace(old, f'<geom name="{new}" contype="0" conaffinity="0"')
+    pairs = "".join(
+        f'<pair geom1="{new}" geom2="ground" condim="3" friction="0.3 0.3 0 0 0"/>' for new in names
+    )
+    path.write_text(text.replace("</mujoco>", f"<contact>{pairs}</contact></mujoco>"))
+    plant = Plant("go1", COARSE, mjcf=path)
+    assert plant.friction == 0.3
+    assert plant.truth.foot_forces[2].sum() == pytest.approx(9.81 * plant.robot.mass, rel=0.02)
+
+
 @pytest.mark.parametrize(
     ("name", "value"),
     [

@@ -220,7 +220,7 @@ def test_joints_and_feet_without_names_are_found_by_structure(tmp_path: Path) ->
     assert found.imu == "mount of the TOML of 'go1', no site found"
 
 
-def test_legs_are_told_by_where_their_hips_are(tmp_path: Path) -> None:
+def test_legs_are_sorted_by_the_positions_of_their_hips(tmp_path: Path) -> None:
     path = write_mjcf(tmp_path / "robot.xml")
     names = {"FR": "leg1", "FL": "leg4", "RR": "leg2", "RL": "leg3"}
     text = re.sub(r"\b(FR|FL|RR|RL)_", lambda match: f"{names[match[1]]}_", path.read_text())

@@ -19,7 +19,8 @@ _MAX_ARMATURE_RATIO = 1.5
 
 def doubts_of(parts: MjcfParts, robot: Robot) -> list[str]:
     """Return one sentence for each doubtful kind of value."""
-    found = length_doubts(parts, robot, _MAX_LENGTH_DIFFERENCE)
+    lengths = length_doubts(parts, robot, _MAX_LENGTH_DIFFERENCE)
+    found = [f"{text}; is it another robot (--robot)?" for text in lengths]
     return [*found, *_armature_doubts(parts, robot), *_base_doubts(parts)]
 
 
@@ -28,8 +29,7 @@ def length_doubts(parts: MjcfParts, robot: Robot, share: float) -> list[str]:
     theirs = mjcf_legs(parts.model, parts.tree, parts.feet)[0].lengths
     ours = robot_legs(robot)[0].lengths
     return [
-        f"{name} of '{robot.name}' is {own:.3f} m long, in the file {length:.3f} m; is it another "
-        "robot (--robot)?"
+        f"{name} of '{robot.name}' is {own:.3f} m long, in the file {length:.3f} m"
         for name, own, length in zip(("thigh", "calf"), ours, theirs, strict=True)
         if abs(length - own) > share * own
     ]

@@ -41,8 +41,8 @@ def read_mjcf(path: Path) -> tuple[mujoco.MjSpec, mujoco.MjModel]:
         return spec, spec.compile()
     except ValueError as problem:
         raise Error(
-            f"MJCF '{path}': MuJoCo rejects it: {one_line(problem)}; includes and meshes are "
-            "searched relative to the file"
+            f"MJCF '{path}': MuJoCo rejects it: {one_line(problem)}; expected includes "
+            "and meshes relative to the file"
         ) from None
     except Error as problem:
         raise Error(f"MJCF '{path}': {problem}") from None

@@ -38,8 +38,8 @@ def mjcf_scene(
     """
     check_replaced_settings(settings)
     parts = find_parts(path, robot)
-    for doubt in length_doubts(parts, robot, _OTHER_ROBOT):
-        raise Error(f"MJCF '{path}': {doubt}")
+    for difference in length_doubts(parts, robot, _OTHER_ROBOT):
+        raise Error(f"MJCF '{path}': {difference}; choose the robot of the file (--robot)")
     _check_ranges(parts, path, robot)
     adapt_mjcf(parts, robot, settings, visuals)
     return parts.spec, parts.imu
