@@ -194,6 +194,14 @@ def test_robot_walks_onto_an_obstacle_of_the_file(tmp_path: Path, files: dict[st
     assert truth.foot_forces[2].sum() > 0.5 * 9.81 * plant.robot.mass
 
 
+def test_simulation_that_diverges_counts_as_a_fall(files: dict[str, Path]) -> None:
+    plant = Plant("go1", COARSE, mjcf=files["ours"])
+    plant.data.qvel[:] = 1e12
+    for _ in range(10):
+        plant.step(surefoot.LowCmd())
+    assert plant.truth.fell
+
+
 def test_live_tuning_simulates_the_robot_of_the_file(files: dict[str, Path]) -> None:
     simulation = Simulation(describe_robot("go1").with_mjcf(files["friction 0.4"]))
     assert simulation.plant.friction == 0.4

@@ -52,6 +52,9 @@ def _set_options(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
     if not is_usable_integrator(spec):
         spec.option.integrator = mujoco.mjtIntegrator.mjINT_EULER
     spec.option.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+    # A simulation that diverges must not start again from the file's initial pose: its NaN state
+    # counts as a fall.
+    spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
 
 
 def _fix_inertias(parts: MjcfParts, bodies: dict[int, Any]) -> None:
