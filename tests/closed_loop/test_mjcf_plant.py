@@ -16,8 +16,9 @@ from surefoot import Error
 from surefoot.assess.foreign_stance import plant_stance
 from surefoot.assess.stance_model import stance_model
 from surefoot.cli import main
-from surefoot.robot.description import describe_robot
+from surefoot.robot.loading import build_robot, describe_robot
 from surefoot.sim import Plant, PlantSettings, Terrain
+from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.stand import StandSettings, parse_push, run_stand, summarise
 from surefoot.tune.live.simulation import Simulation
 from surefoot.walk import WalkSettings, parse_velocity, run_walk
@@ -170,6 +171,13 @@ def test_legs_of_another_robot_are_refused(tmp_path: Path) -> None:
     path = write_mjcf(tmp_path / "robot.xml", robot="b1")
     with pytest.raises(Error, match=r"thigh of 'go1' is 0\.213 m long, in the file 0\.350 m"):
         Plant("go1", mjcf=path)
+
+
+def test_trunk_of_our_own_model_has_our_trunk_mass(files: dict[str, Path]) -> None:
+    ours = describe_robot("go1")
+    robot = build_robot(ours)
+    theirs = trunk_mass(robot, ours.with_mjcf(files["ours"]))
+    assert theirs == pytest.approx(trunk_mass(robot, ours))
 
 
 def test_range_without_the_standing_pose_is_refused(tmp_path: Path, files: dict[str, Path]) -> None:

@@ -88,7 +88,10 @@ def trunk_mass(robot: Robot, description: RobotDescription) -> float:
     if description.mjcf is None:
         return float(find_trunk(load_urdf(description)).mass)
     parts = find_parts(description.mjcf, robot)
-    return float(parts.model.body_mass[find_trunk(parts.spec).id])
+    model, base = parts.model, parts.tree.base
+    # The bodies among which find_trunk() chooses. The file need not have their masses.
+    below = (model.body_parentid == base) & (model.body_weldid == base)
+    return float(max(model.body_mass[base], *model.body_mass[below], 0.0))
 
 
 def apply_trunk_flaws(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
