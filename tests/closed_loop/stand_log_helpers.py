@@ -18,6 +18,7 @@ def still_log(**changes):
     rows, motors = np.zeros((TICKS, ROBOT.nv)), np.zeros((TICKS, 12))
     fields = {
         **{"settings": StandSettings(duration=TICKS / RATE), "robot": ROBOT, "foot_force": "dead"},
+        **{"ground_friction": 0.8},
         **{"pushes": (), "push_shares": (), "fell": False},
         **{"lip_limit": {"lateral": 12.0, "forward": 19.0}, "time": np.arange(TICKS) / RATE},
         **{"q_true": q, "v_true": rows, "q_estimated": q.copy(), "v_estimated": rows.copy()},

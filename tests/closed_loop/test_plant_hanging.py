@@ -11,7 +11,8 @@ import pytest
 import surefoot
 from plant_helpers import ROBOTS
 from surefoot.sim import Plant, PlantSettings
-from surefoot.sim.model import mujoco_model as plant_model
+from surefoot.sim.model import urdf_scene
+from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.model.urdf import load_urdf, root_body
 
 
@@ -39,8 +40,8 @@ def without_base(plant: Plant, monkeypatch: pytest.MonkeyPatch) -> mujoco.MjMode
         return spec
 
     with monkeypatch.context() as patch:
-        patch.setattr(plant_model, "load_urdf", load)
-        model = plant_model.build_model(plant.robot, plant.description, plant.settings)
+        patch.setattr(urdf_scene, "load_urdf", load)
+        model = build_model(plant.robot, plant.description, plant.settings)
     root = plant.handles.root
     model.body_pos[root], model.body_quat[root] = plant.data.qpos[:3], plant.data.qpos[3:7]
     # These weights set the stiffness of contacts and limits: use those of the free base.

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
 
 from surefoot.assess.condition import Condition
-from surefoot.robot.loading import RobotDescription, build_robot, describe_robot
+from surefoot.assess.robot_source import MjcfSource, RobotSource, describe_source
+from surefoot.robot.loading import build_robot
 from surefoot.sim import Flaws, Plant, PlantSettings
 from surefoot.sim.model.moving_ground import set_ground_speed
 from surefoot.sim.model.mujoco_model import trunk_mass
@@ -18,27 +20,24 @@ from surefoot.sim.settings import COARSE_DT
 # foot up.
 STEP_RISE_TIME = 0.5
 
-RobotSource = str | tuple[str, str]
-"""A robot's name, or the paths of its URDF and TOML. Can be pickled for worker processes."""
-
-
-def describe_source(source: RobotSource) -> RobotDescription:
-    """Return the description of a robot.
-
-    Raises:
-        Error: The robot is unknown, or its files are missing or invalid.
-    """
-    if isinstance(source, str):
-        return describe_robot(source)
-    return describe_robot(urdf=source[0], config=source[1])
-
 
 @lru_cache(maxsize=32)
 def plant_of(source: RobotSource, condition: Condition) -> Plant:
     """Return the cached plant of a condition; call reseed() and reset() before each run."""
+    return Plant(describe_source(source), source_settings(source, condition))
+
+
+def source_settings(source: RobotSource, condition: Condition) -> PlantSettings:
+    """Return the plant settings of a condition for a robot, with seed 0.
+
+    The friction of a plant from an MJCF is that of the file, whatever the condition says.
+    """
     description = describe_source(source)
-    settings = plant_settings(condition, build_robot(description).mass, trunk_mass(description))
-    return Plant(description, settings)
+    robot = build_robot(description)
+    settings = plant_settings(condition, robot.mass, trunk_mass(robot, description))
+    if isinstance(source, MjcfSource):
+        settings = replace(settings, friction=PlantSettings.friction)
+    return settings
 
 
 def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSettings:

@@ -13,10 +13,10 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.assess import plan
 from surefoot.assess.checked_controller import ControllerFailure
-from surefoot.assess.condition_plant import RobotSource
 from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.push_limits import PushLimits
 from surefoot.assess.push_score import CRITERIA, UnitResults
+from surefoot.assess.robot_source import RobotSource
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.sweep import rows_to_sweep
 from surefoot.assess.work_units import Heartbeat, PushUnit, StandUnit

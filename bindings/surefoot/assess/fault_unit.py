@@ -8,8 +8,8 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from surefoot._core import Robot, Supervisor, SupervisorOptions
-from surefoot.assess.condition_plant import RobotSource, describe_source
 from surefoot.assess.controller_under_test import ControllerUnderTest
+from surefoot.assess.robot_source import RobotSource, describe_source
 from surefoot.assess.work_units import Heartbeat
 from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
 from surefoot.faults.matrix.run_matrix import run_or_error_result

@@ -73,10 +73,11 @@ class PushLimits:
 
     Args:
         robot: Model of the robot.
+        stance: Standing robot for which the limits hold; None: that of the model.
     """
 
-    def __init__(self, robot: Robot) -> None:
-        self.stance = stance_model(robot)
+    def __init__(self, robot: Robot, stance: StanceModel | None = None) -> None:
+        self.stance = stance or stance_model(robot)
         self._cache: dict[tuple[float, ...], PushLimit] = {}
 
     def true_mass(self, condition: Condition) -> float:

@@ -9,6 +9,7 @@ from typing import Any
 
 from surefoot.assess.plots import plots_of
 from surefoot.assess.report_tables import conditions_html, faults_html, push_table_html
+from surefoot.assess.scorecard_text import foreign_title
 from surefoot.assess.sweep import percent_text
 from surefoot.reports.page import page_html, plots_html, tiles_html
 from surefoot.reports.plots import draw_plots
@@ -57,6 +58,9 @@ def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Pat
 
 def _tables(card: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
     pushes = {card["controller"]: card["push"], **card["references"]}
+    foreign = card["foreign_plant"]
+    if foreign is not None:
+        pushes[foreign_title(foreign)] = foreign["push"]
     return [(name, table) for name, push in pushes.items() for table in push["tables"]]
 
 

@@ -119,7 +119,7 @@ class _TrajectoryRecorder:
             feet,
             self._attitudes[:rows],
             self._forces[:rows] @ normal > 0.0,
-            self._plant.robot.config.foot_radius,
+            self._plant.handles.foot_radius,
             normal,
         )
         rate = self._plant.settings.control_rate

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from surefoot.assess.failure_films import make_films
+from surefoot.assess.foreign_plant import ForeignPlant
 from surefoot.assess.plan import planned_work
 from surefoot.assess.push_limits import PushLimits
 from surefoot.assess.score import controller_results, score
@@ -41,13 +42,17 @@ def run_assess(
     robot = settings.build()
     limits = PushLimits(robot)
     walks = settings.controller_under_test.walks
-    planned = planned_walks(settings, limits) if walks else planned_work(settings, limits)
+    planned = list(planned_walks(settings, limits) if walks else planned_work(settings, limits))
+    foreign = None if settings.mjcf is None else ForeignPlant(settings, robot, settings.mjcf)
+    if foreign is not None:
+        planned += [WorkItem(unit, settings.controller_under_test) for unit in foreign.units()]
     with open_result_store(settings.store, "surefoot assess", settings.to_dict(robot)) as store:
-        _run(settings, store, list(planned), progress)
-        if walks:
-            return walk_score(settings, robot, limits, store.results)
-        filled = score(settings, robot, limits, store.results)
+        _run(settings, store, planned, progress)
         unit_results = controller_results(store.results, settings.controller_under_test.name)
+        section = None if foreign is None else foreign.section(unit_results)
+        if walks:
+            return walk_score(settings, robot, limits, store.results, section)
+        filled = score(settings, robot, limits, store.results, section)
     filled["films"] = [] if films is None else make_films(settings, limits, unit_results, films)
     return filled
 

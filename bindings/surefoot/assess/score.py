@@ -21,9 +21,21 @@ StoredResults = dict[tuple[str, str], dict[str, Any]]
 
 
 def score(
-    settings: AssessSettings, robot: Robot, limits: PushLimits, results: StoredResults
+    settings: AssessSettings,
+    robot: Robot,
+    limits: PushLimits,
+    results: StoredResults,
+    foreign_plant: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """Return the filled scorecard as JSON values."""
+    """Return the filled scorecard as JSON values.
+
+    Args:
+        settings: Settings of the assessment.
+        robot: Model of the robot.
+        limits: Push limits of the model.
+        results: Results of all units.
+        foreign_plant: Section of the foreign plant; None: there is no MJCF.
+    """
     card, name = settings.stand_card, settings.controller_under_test.name
     unit_results = controller_results(results, name)
     filled = {
@@ -47,6 +59,7 @@ def score(
             )
             for reference in plan.reference_controllers(settings)
         },
+        "foreign_plant": foreign_plant,
         "settings": settings.to_dict(robot),
         "versions": describe_machine()["versions"],
     }

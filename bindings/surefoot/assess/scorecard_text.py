@@ -16,6 +16,8 @@ def assess_text(card: dict[str, Any]) -> str:
         lines += _push_table(table)
     lines += [f"  broken: {why}" for why in card["push"]["broken"]]
     lines += _condition_lines(card["conditions"])
+    if card["foreign_plant"] is not None:
+        lines += _foreign_lines(card["foreign_plant"])
     for name, push in card["references"].items():
         lines.append(f"reference {name}, {push['statistic']}, {_worst_line(push)}")
         lines += [f"  broken: {why}" for why in push["broken"]]
@@ -24,6 +26,26 @@ def assess_text(card: dict[str, Any]) -> str:
         lines.append(f"faults: {faults['passed']} of {faults['passed'] + faults['failed']} passed")
         lines += [f"  {cell}: {why}" for cell, why in faults["failures"].items()]
     return "\n".join(lines)
+
+
+def foreign_title(section: dict[str, Any]) -> str:
+    """Return the title of the section "foreign plant": the file and what differs most."""
+    return (
+        f"foreign plant {section['mjcf']}: {section['mass_kg']:.3f} kg, friction "
+        f"{section['friction']:g}"
+    )
+
+
+def _foreign_lines(section: dict[str, Any]) -> list[str]:
+    lines = [foreign_title(section)]
+    for table in section["push"]["tables"]:
+        lines += _push_table(table)
+    lines += [f"  broken: {why}" for why in section["push"]["broken"]]
+    return lines + _condition_lines(
+        []
+        if section["stand"] is None
+        else [{"name": "MJCF", "stand": section["stand"], "push": section["push"]}]
+    )
 
 
 def _push_table(table: dict[str, Any]) -> list[str]:

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from surefoot._core import Error, Robot
-from surefoot.assess.condition_plant import RobotSource, describe_source
 from surefoot.assess.controller_under_test import ControllerUnderTest, find_factory
+from surefoot.assess.robot_source import describe_source, mjcf_digest
 from surefoot.assess.scorecard import Scorecard, standard_scorecard
 from surefoot.assess.time_limit import time_limit
 from surefoot.assess.walking.walk_scorecard import WalkScorecard
@@ -33,9 +33,11 @@ class AssessSettings:
         deadline: Longest wall time of one run of a few simulated seconds [s]; a worker whose run
             takes longer is killed.
         store: File that keeps the results, so that a run can be resumed; None: in memory only.
+        mjcf: Path of an MJCF on which the robot is assessed too, with figures in a section of their
+            own; None: no such section.
     """
 
-    robot: RobotSource = "go1"
+    robot: str | tuple[str, str] = "go1"
     controller_under_test: ControllerUnderTest = field(default_factory=ControllerUnderTest)
     card: Scorecard | WalkScorecard = field(default_factory=lambda: standard_scorecard("quick"))
     jobs: int = 1
@@ -43,6 +45,7 @@ class AssessSettings:
     # value, a controller that never returns would block its worker for longer.
     deadline: float = 60.0
     store: str | None = None
+    mjcf: str | None = None
 
     def __post_init__(self) -> None:
         check_integer("jobs", self.jobs, 1, MAX_JOBS)
@@ -91,6 +94,7 @@ class AssessSettings:
             "gains": self.controller_under_test.gains,
             "walks": self.controller_under_test.walks,
             "card": self.card.to_dict(),
+            **({} if self.mjcf is None else {"mjcf": mjcf_digest(self.mjcf)}),
         }
 
 

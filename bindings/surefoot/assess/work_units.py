@@ -9,9 +9,10 @@ from typing import Any, ClassVar, Protocol
 from surefoot._core import Error
 from surefoot.assess.checked_controller import ControllerFailure
 from surefoot.assess.condition import Condition
-from surefoot.assess.condition_plant import RobotSource, ground_motion_time, loop_delay, plant_of
+from surefoot.assess.condition_plant import ground_motion_time, loop_delay, plant_of
 from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.push_outcome import FAILED_OUTCOME, PushOutcome, judge_push, run_duration
+from surefoot.assess.robot_source import RobotSource
 from surefoot.assess.rollout import TickCallback, TrueTrajectory, roll_out
 from surefoot.assess.stand_outcome import HOLD_TIME, judge_stand
 from surefoot.assess.sweep import FINEST_STEP, MIN_LEVEL, Sweep, outcome_rows, run_sweep

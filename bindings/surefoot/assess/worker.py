@@ -9,8 +9,8 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.assess.condition_plant import RobotSource
 from surefoot.assess.controller_under_test import ControllerUnderTest
+from surefoot.assess.robot_source import RobotSource
 from surefoot.assess.work_units import WorkUnit, run_unit
 from surefoot.system.worker_processes import die_with_parent, spawn_context
 

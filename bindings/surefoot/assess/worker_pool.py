@@ -8,7 +8,7 @@ from contextlib import suppress
 from multiprocessing.connection import wait
 from typing import Any
 
-from surefoot.assess.condition_plant import RobotSource
+from surefoot.assess.robot_source import RobotSource
 from surefoot.assess.worker import Worker, WorkItem
 
 

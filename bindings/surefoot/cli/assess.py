@@ -18,7 +18,12 @@ from surefoot.cli.output_files import (
     write_json,
 )
 from surefoot.cli.progress import progress_bar, report_kept_results
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.robot_choice import (
+    add_mjcf_option,
+    add_robot_options,
+    chosen_robot,
+    print_mapping,
+)
 from surefoot.robot.gain_files import gain_values, load_gains
 from surefoot.robot.loading import build_robot
 
@@ -28,8 +33,10 @@ if TYPE_CHECKING:
 _EPILOG = """\
 Pushes the robot in all directions, then varies ground, payload, link and motors, with real sensors
 at 500 Hz and many seeds. With --walk it assesses a controller that walks: velocities, pushes while
-it walks, and conditions. Impulses are compared with the LIP push limit (linear inverted pendulum)
-and with the push limit of the robot. With --store, an interrupted assessment can be resumed.
+it walks, and conditions. With --mjcf, pushes and stands, or walks, are repeated on the robot of an
+MJCF; the scorecard has a section for them. Impulses are compared with the LIP push limit (linear
+inverted pendulum) and with the push limit of the robot. With --store, an interrupted assessment can
+be resumed.
 
 exit status: 0 done, 1 a file could not be written (results in the store are kept), 2 a wrong
 argument, scenario or store, 130 interrupted"""
@@ -40,6 +47,7 @@ def add_assess_options(parser: argparse.ArgumentParser) -> None:
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG
     add_robot_options(parser, "go1")
+    add_mjcf_option(parser)
     add = parser.add_argument
     add(
         "--controller",
@@ -125,6 +133,7 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
 
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # not None, because a default robot is given
+    print_mapping(description)
     robot: str | tuple[str, str] = arguments.robot or "go1"
     if arguments.urdf is not None:
         robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))
@@ -152,4 +161,5 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
         arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MAX_JOBS),
         arguments.deadline,
         arguments.store,
+        None if arguments.mjcf is None else str(Path(arguments.mjcf).resolve()),
     )

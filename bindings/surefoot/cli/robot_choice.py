@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
 from surefoot._core import Error
 from surefoot.robot.description import RobotDescription, describe_robot, robots_without_urdf
@@ -12,6 +13,28 @@ def add_robot_options(parser: argparse.ArgumentParser | argparse._ArgumentGroup,
     """Add --robot, --urdf and --config; `text` names the default robot in the help."""
     parser.add_argument("--robot", metavar="NAME", help=f"see surefoot robots ({text})")
     add_file_options(parser, "--robot")
+
+
+def add_mjcf_option(parser: argparse.ArgumentParser | argparse._ArgumentGroup) -> None:
+    """Add --mjcf."""
+    parser.add_argument(
+        "--mjcf",
+        metavar="FILE.xml",
+        help="simulate robot and ground of an MJCF; the controller keeps the model of --robot",
+    )
+
+
+def print_mapping(description: RobotDescription) -> None:
+    """Print on stderr what was found in the MJCF; do nothing without one.
+
+    Raises:
+        Error: The MJCF is invalid, or a part is missing or not supported.
+    """
+    if description.mjcf is None:
+        return
+    from surefoot.sim.mjcf.describe import describe_mjcf
+
+    print(describe_mjcf(description), file=sys.stderr)
 
 
 def add_file_options(
@@ -29,7 +52,8 @@ def chosen_robot(
     """Return the robot that the arguments choose, or the default; None if there is neither.
 
     Args:
-        arguments: Arguments with robot, urdf and config, each None if not given.
+        arguments: Arguments with robot, urdf and config, and of some commands mjcf; each None if
+            not given.
         option: Name of the option for the robot's name, used in messages.
         default: Name of the robot if none is chosen.
 
@@ -37,6 +61,15 @@ def chosen_robot(
         Error: A name and files are given (except --urdf for a robot without URDF), one file is
             given without the other, or the robot does not exist.
     """
+    description = _described(arguments, option, default)
+    mjcf = getattr(arguments, "mjcf", None)
+    return description if mjcf is None or description is None else description.with_mjcf(mjcf)
+
+
+def _described(
+    arguments: argparse.Namespace, option: str, default: str | None
+) -> RobotDescription | None:
+    """Return the robot without its MJCF."""
     files = {"--urdf": arguments.urdf, "--config": arguments.config}
     given = [name for name, value in files.items() if value is not None]
     if arguments.robot in robots_without_urdf():

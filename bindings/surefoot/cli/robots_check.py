@@ -1,10 +1,11 @@
-"""surefoot robots --check: the report on one robot."""
+"""surefoot robots --check and --mjcf: the report on one robot or on one MJCF."""
 
 from __future__ import annotations
 
 import argparse
 
 from surefoot._core import Error
+from surefoot.cli.missing_module import missing_module
 from surefoot.cli.tables import list_robots, print_table
 from surefoot.robot.description import (
     RobotDescription,
@@ -20,24 +21,32 @@ MAX_DIFFERENCE = 1e-6
 
 
 def add_robots_options(parser: argparse.ArgumentParser) -> None:
-    """Add --check, --robot and --config."""
+    """Add --check, --mjcf, --robot and --config."""
     parser.add_argument(
         "--check", metavar="NAME|FILE.urdf", help="load one robot and report what is found"
     )
     parser.add_argument("--config", metavar="FILE.toml", help="robot settings that the URDF lacks")
+    parser.add_argument("--mjcf", metavar="FILE.xml", help="print what is found in an MJCF")
     names = " or ".join(robots_without_urdf())
-    parser.add_argument("--robot", metavar="NAME", help=f"settings of {names}, instead of --config")
+    parser.add_argument(
+        "--robot",
+        metavar="NAME",
+        help=f"settings of {names}, instead of --config; with --mjcf: its robot (go1)",
+    )
 
 
 def robots(arguments: argparse.Namespace) -> None:
-    """List the robots known by name, or check one robot.
+    """List the robots known by name, check one robot, or print what is found in an MJCF.
 
     Raises:
-        Error: A wrong argument, or the robot cannot be loaded.
+        Error: A wrong argument, or the robot or the MJCF cannot be loaded.
     """
+    if arguments.mjcf is not None:
+        _print_mapping(arguments)
+        return
     if arguments.check is None:
         if arguments.config is not None or arguments.robot is not None:
-            raise Error("got --config or --robot alone, expected --check with a URDF")
+            raise Error("got --config or --robot alone, expected --check with a URDF, or --mjcf")
         list_robots(arguments)
         return
     description = _description(arguments)
@@ -46,6 +55,20 @@ def robots(arguments: argparse.Namespace) -> None:
     _print_tables(report)
     doubts = [*report.doubts, *_compare_with_plant(report, description)]
     print("\n".join(["", "doubts:", *(f"  {doubt}" for doubt in doubts or ["none"])]))
+
+
+def _print_mapping(arguments: argparse.Namespace) -> None:
+    try:
+        from surefoot.sim.mjcf.describe import describe_mjcf
+    except ModuleNotFoundError as problem:
+        raise missing_module("robots", problem) from None
+    if arguments.config is not None and arguments.check is None:
+        raise Error("--config: got it with --mjcf alone, expected --check FILE.urdf too")
+    if arguments.check is None:
+        description = describe_robot(arguments.robot or "go1")
+    else:
+        description = _description(arguments)
+    print(describe_mjcf(description.with_mjcf(arguments.mjcf)))
 
 
 def _description(arguments: argparse.Namespace) -> RobotDescription:

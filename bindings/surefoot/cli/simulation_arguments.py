@@ -6,7 +6,7 @@ import argparse
 from typing import Any
 
 from surefoot._core import Error, Gains, QpForm
-from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.robot_choice import chosen_robot, print_mapping
 from surefoot.robot.gain_files import load_gains
 from surefoot.robot.loading import RobotDescription, build_robot
 from surefoot.robot.robot_toml import suggest
@@ -28,6 +28,7 @@ def read_simulation(arguments: argparse.Namespace) -> dict[str, Any]:
     check_rate(arguments.rate)
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # not None, because a default robot is given
+    print_mapping(robot)
     slope, heading = parse_numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
     payload, *position = parse_numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
     plant = PlantSettings(

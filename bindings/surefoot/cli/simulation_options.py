@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from surefoot.cli.robot_choice import add_robot_options
+from surefoot.cli.robot_choice import add_mjcf_option, add_robot_options
 
 _PUSH_HELP = (
     "DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME: lateral, forward or degrees from forward towards "
@@ -22,6 +22,7 @@ def add_plant_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGrou
     """Add the options of robot, ground, sensors and pushes; return their group."""
     group = parser.add_argument_group("simulation")
     add_robot_options(group, "go1")
+    add_mjcf_option(group)
     add = group.add_argument
     add("--duration", type=float, default=10.0, metavar="S", help="simulated time (10)")
     add("--rate", type=float, default=500.0, metavar="HZ", help="control rate [Hz] (500)")

@@ -12,7 +12,12 @@ from typing import TYPE_CHECKING
 from surefoot._core import Error, Gains
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.robot_choice import (
+    add_mjcf_option,
+    add_robot_options,
+    chosen_robot,
+    print_mapping,
+)
 from surefoot.protocol import default_generation
 from surefoot.robot.description import RobotDescription
 from surefoot.robot.gain_files import load_gains
@@ -29,6 +34,7 @@ ROBOT_PORT = 8007
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot tune live."""
     add_robot_options(parser, "go1")
+    add_mjcf_option(parser)
     parser.epilog = (
         "exit status: 0 ended by Ctrl-C or SIGTERM; 1 the port of the page is taken or not "
         "permitted; 2 a wrong argument. The page has no access control: keep --bind at loopback "
@@ -76,6 +82,9 @@ def run(arguments: argparse.Namespace) -> None:
         raise missing_module("tune live", problem, "tune") from None
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # not None, because a default robot is given
+    if arguments.mjcf is not None and arguments.host is not None:
+        raise Error(f"--mjcf: got it with --host {arguments.host}, expected a simulated robot")
+    print_mapping(description)
     own = build_robot(description)
     gains = None if arguments.gains is None else load_gains(arguments.gains, own.config.gains)
     files = GainFolder(arguments.folder, own)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,8 @@ class RobotDescription:
         srdf: Path of the SRDF, or None.
         mesh_root: Folder that replaces ``package://example-robot-data/`` in the URDF.
         table: The robot's TOML, as returned by read_table().
+        mjcf: MJCF file from which the simulated robot is built; None: it is built from the URDF.
+            The controller's robot always comes from the URDF.
     """
 
     name: str
@@ -29,6 +31,11 @@ class RobotDescription:
     srdf: Path | None
     mesh_root: Path
     table: dict[str, Any]
+    mjcf: Path | None = None
+
+    def with_mjcf(self, mjcf: str | Path) -> RobotDescription:
+        """Return this description with another simulated robot: that of an MJCF file."""
+        return replace(self, mjcf=Path(mjcf))
 
 
 # Robots of which the package has the TOML only, because example-robot-data has no URDF of them.

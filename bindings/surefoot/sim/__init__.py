@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from surefoot.sim.flaws import Flaws
+from surefoot.sim.mjcf.mapping import FootMatch, JointMatch, ModelMapping
 from surefoot.sim.physics.external_lift import Lift
 from surefoot.sim.plant import Plant
 from surefoot.sim.settings import PlantSettings, Push
@@ -14,7 +15,19 @@ from surefoot.sim.truth import Truth
 if TYPE_CHECKING:
     from surefoot.sim.render import Renderer
 
-__all__ = ["Flaws", "Lift", "Plant", "PlantSettings", "Push", "Renderer", "Terrain", "Truth"]
+__all__ = [
+    "Flaws",
+    "FootMatch",
+    "JointMatch",
+    "Lift",
+    "ModelMapping",
+    "Plant",
+    "PlantSettings",
+    "Push",
+    "Renderer",
+    "Terrain",
+    "Truth",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -7,7 +7,6 @@ import math
 import mujoco
 import numpy as np
 
-from surefoot._core import Robot
 from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 from surefoot.sim.physics.pushes import heading_vector
@@ -65,7 +64,6 @@ def lip_push_limit(
     model: mujoco.MjModel,
     data: mujoco.MjData,
     handles: Handles,
-    robot: Robot,
     degrees: float,
     duration: float,
 ) -> float:
@@ -78,14 +76,13 @@ def lip_push_limit(
         model: MuJoCo's model.
         data: MuJoCo's state, with kinematics up to date.
         handles: Indices into model and data.
-        robot: The robot, for its foot radius.
         degrees: Direction from forward towards left [deg].
         duration: Duration of the push [s].
     """
     normal = handles.ground_normal
     ray = heading_vector(data.xmat[handles.root].reshape(3, 3), degrees)
     com = data.subtree_com[handles.root]
-    contacts = data.xpos[handles.foot_bodies] - robot.config.foot_radius * normal
+    contacts = data.xpos[handles.foot_bodies] - handles.foot_radius * normal
     distance = distance_to_edge(contacts[:, :2], com[:2], ray[:2])
     height = float(com @ normal) / float(normal[2])
     mass = float(model.body_subtreemass[handles.root])

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -16,10 +18,13 @@ from surefoot.robot.loading import (
     describe_robot,
     load_pinocchio_model,
 )
+from surefoot.sim.foot_friction import foot_friction
 from surefoot.sim.hardware.motors import MotorLaw, Motors, command_law, damping_law
 from surefoot.sim.hardware.sensors import Sensors
 from surefoot.sim.hardware.wire_format import MotorCommands, WireFormat
 from surefoot.sim.lip_push_limit import lip_push_limit
+from surefoot.sim.mjcf.describe import describe_mjcf
+from surefoot.sim.mjcf.mapping import ModelMapping
 from surefoot.sim.model.leg_collisions import leg_contacts, part_of_geoms
 from surefoot.sim.model.mujoco_handles import find_handles
 from surefoot.sim.model.mujoco_model import build_model
@@ -54,17 +59,22 @@ class Plant:
         settings: Sensors, ground, payload, flaws, rates, seed; None: the defaults.
         pushes: Scheduled pushes; add_push() adds more.
         tick0: LowState.tick of the first sample [ms], modulo 2^32.
+        mjcf: MJCF file from which the simulated robot and its ground are built, such as scene.xml.
+            The controller's robot stays that of `robot`. None: as the description says.
 
     Raises:
-        Error: The robot is unknown, or a file, joint or foot is missing.
+        Error: The robot is unknown; a file, joint or foot is missing; the MJCF has an element that
+            is not supported; or a setting is not the default although the MJCF replaces it.
 
     Attributes:
         robot: The surefoot.Robot for a controller of this plant.
         description: The files of the robot.
-        settings: The settings, with foot_force resolved.
+        settings: The settings, with foot_force resolved, and without soft soles if there is an
+            MJCF.
         model: The MuJoCo model.
         data: The MuJoCo state; read it, do not write it.
         handles: Indices of the robot's parts in model and data.
+        friction: Smallest sliding friction coefficient of the feet on the ground.
     """
 
     def __init__(
@@ -73,13 +83,17 @@ class Plant:
         settings: PlantSettings | None = None,
         pushes: Iterable[Push] = (),
         tick0: int = 0,
+        mjcf: str | Path | None = None,
     ) -> None:
-        self.description = describe_robot(robot) if isinstance(robot, str) else robot
+        description = describe_robot(robot) if isinstance(robot, str) else robot
+        self.description = description if mjcf is None else description.with_mjcf(mjcf)
         self.robot = build_robot(self.description)
-        self.settings = _resolve_foot_force(settings or PlantSettings(), self.description)
+        self.settings = _resolve_settings(settings or PlantSettings(), self.description)
         self.model = build_model(self.robot, self.description, self.settings)
         self.data = mujoco.MjData(self.model)
-        self.handles = find_handles(self.model, self.robot)
+        self.handles = find_handles(
+            self.model, self.robot, calves_may_touch_ground=self.description.mjcf is not None
+        )
         if self.settings.hung:
             fix_base(self.model, self.handles)
         self._adapter = PinocchioAdapter(self.model, load_pinocchio_model(self.description))
@@ -94,6 +108,14 @@ class Plant:
         self._pushes = list(pushes)
         self._lifts: list[Lift] = []
         self.reset()
+        self.friction = self.settings.friction
+        if self.description.mjcf is not None:
+            self.friction = foot_friction(self.data, self.handles)
+
+    @cached_property
+    def mapping(self) -> ModelMapping | None:
+        """What was found in the MJCF; None if the plant is built from the URDF."""
+        return None if self.description.mjcf is None else describe_mjcf(self.description)
 
     @property
     def time(self) -> float:
@@ -183,10 +205,15 @@ class Plant:
         if self.truth.fell:
             raise Error(
                 f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
-                f"the first LowCmd: slope {settings.slope_deg:g} deg, friction "
-                f"{settings.friction:g}, payload {settings.payload_kg:g} kg; use easier settings"
+                f"the first LowCmd: {self._ground_text()}, payload {settings.payload_kg:g} kg; use "
+                "easier settings"
             )
         return self._start_run()
+
+    def _ground_text(self) -> str:
+        if self.description.mjcf is not None:
+            return f"MJCF '{self.description.mjcf}'"
+        return f"slope {self.settings.slope_deg:g} deg, friction {self.settings.friction:g}"
 
     def reset_lying(self, rng: np.random.Generator) -> LowState:
         """Drop the robot with random joint angles and return the first LowState of the lying robot.
@@ -305,12 +332,15 @@ class Plant:
             duration: Duration T of the push [s].
         """
         degrees = direction_degrees(direction)
-        return lip_push_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
+        return lip_push_limit(self.model, self.data, self.handles, degrees, duration)
 
 
-def _resolve_foot_force(settings: PlantSettings, description: RobotDescription) -> PlantSettings:
+def _resolve_settings(settings: PlantSettings, description: RobotDescription) -> PlantSettings:
+    """Replace the settings whose values depend on the robot's files."""
     if not isinstance(settings, PlantSettings):
         raise Error(f"settings: got {type(settings).__name__}, expected PlantSettings")
+    if description.mjcf is not None:
+        settings = replace(settings, soft_soles=False)
     if settings.foot_force is not None:
         return settings
     has_force_estimate = description.table.get("simulation", {}).get("foot_force_est", False)

@@ -78,7 +78,7 @@ class Renderer:
         metres_per_newton = (
             2.5 * self._size / (plant.model.body_subtreemass[plant.handles.root] * 9.81)
         )
-        radius = plant.robot.config.foot_radius
+        radius = plant.handles.foot_radius
         for leg in range(4):
             start = truth.p_world_feet[:, leg] - radius * plant.handles.ground_normal
             self._arrow(

@@ -30,6 +30,10 @@ SOLE_SINK = 0.005
 class PlantSettings:
     """Settings of a plant: sensors, ground, payload, flaws, rates, seed.
 
+    A plant from an MJCF takes ground and contacts from the file: there, friction, soft ground,
+    slope, terrain and moving ground must have their defaults, and soft_soles and leg_collisions
+    have no effect. The two scales multiply the values of the file.
+
     Attributes:
         sensors: "real" (noise, bias, attitude filter, one period of delay for commands and one for
             samples, quantised wire format, motor lag) or "ideal" (exact, without delay).

@@ -33,7 +33,7 @@ class Truth:
         tau: (12,) true motor torque, SDK order [N.m].
         dq: (12,) true joint velocity, on the link's side of the gear, SDK order [rad/s].
         fell: Whether a part other than a foot touches the ground, a part other than a foot or a
-            calf the terrain, or the tilt exceeds 60 deg.
+            calf the terrain, or the tilt exceeds 60 deg. The ground of an MJCF counts as terrain.
     """
 
     time: float

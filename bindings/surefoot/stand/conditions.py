@@ -21,7 +21,8 @@ def describe_conditions(log: SimulationLog) -> dict[str, Any]:
         "foot_force": log.foot_force,
         "rate": log.rate,
         "duration": log.duration,
-        "friction": plant.friction,
+        "mjcf": _mjcf(log),
+        "friction": log.ground_friction,
         "soft_ground_sink": plant.soft_ground_sink,
         "slope_deg": plant.slope_deg,
         "slope_heading_deg": plant.slope_heading_deg,
@@ -56,6 +57,11 @@ def describe_conditions(log: SimulationLog) -> dict[str, Any]:
             for request in settings.references
         ],
     }
+
+
+def _mjcf(log: SimulationLog) -> str | None:
+    robot = log.settings.robot
+    return None if isinstance(robot, str) or robot.mjcf is None else str(robot.mjcf)
 
 
 def _gains_changed(log: SimulationLog) -> dict[str, float]:

@@ -37,6 +37,7 @@ def log_header(settings: SimulationSettings, plant: Plant) -> dict[str, Any]:
         "settings": settings,
         "robot": plant.robot,
         "foot_force": plant.settings.foot_force,
+        "ground_friction": plant.friction,
         "pushes": pushes,
         "push_shares": tuple(_lip_share(plant, push) for push in pushes),
         "lip_limit": {name: plant.lip_push_limit(name) for name in ("lateral", "forward")},

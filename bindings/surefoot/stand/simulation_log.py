@@ -27,6 +27,7 @@ class SimulationLog:
         settings: Settings of the run.
         robot: The controller's model of the robot.
         foot_force: Foot force field that has data: "est", "raw", or "dead" if both are zero.
+        ground_friction: Friction coefficient of the feet on the ground.
         pushes: Pushes of the run, with impulses in N.s.
         push_shares: Ratio of each impulse to the LIP push limit for its direction and duration.
         lip_limit: LIP push limit for pushes of 0.1 s in the initial pose [N.s]; keys "lateral" and
@@ -57,6 +58,7 @@ class SimulationLog:
     settings: SimulationSettings
     robot: Robot
     foot_force: str
+    ground_friction: float
     pushes: tuple[Push, ...]
     push_shares: tuple[float, ...]
     lip_limit: dict[str, float]

@@ -17,6 +17,7 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ),
         ("rate", "Hz", "LowStates and LowCmds per second"),
         ("duration", "s", "simulated time; shorter than requested if the robot fell"),
+        ("mjcf", "", "MJCF file of the simulated robot; null: it was built from the URDF"),
         ("friction", "", "coefficient between foot and ground"),
         ("soft_ground_sink", "m", "depth of a foot under a quarter of the weight; 0 is rigid"),
         ("slope_deg", "deg", "steepness of the ground"),

@@ -24,6 +24,8 @@ def conditions_line(s: dict[str, Any]) -> str:
         f"foot force {s['foot_force']}",
         f"friction {s['friction']:g}",
     ]
+    if s["mjcf"] is not None:
+        parts.append(f"robot and ground of '{s['mjcf']}'")
     if s["slope_deg"]:
         parts.append(f"slope {s['slope_deg']:g} deg towards {s['slope_heading_deg']:g} deg")
     if s["payload_kg"]:

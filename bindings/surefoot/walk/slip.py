@@ -20,7 +20,7 @@ def slip_velocities(plant: Plant) -> Array:
     Args:
         plant: The plant; its ground goes through the origin.
     """
-    handles, radius = plant.handles, plant.robot.config.foot_radius
+    handles, radius = plant.handles, plant.handles.foot_radius
     normal = handles.ground_normal
     motion, motions = np.zeros(6), np.zeros((4, 6))
     for leg, body in enumerate(handles.foot_bodies):

@@ -11,12 +11,11 @@ import numpy as np
 from surefoot._core import LowCmd, WalkVelocity
 from surefoot.assess.checked_controller import WalkingControl
 from surefoot.assess.condition import Condition
-from surefoot.assess.condition_plant import RobotSource, describe_source, plant_settings
+from surefoot.assess.condition_plant import source_settings
+from surefoot.assess.robot_source import RobotSource, describe_source
 from surefoot.assess.walking.true_walk import TrueWalk, WalkRecorder
-from surefoot.robot.loading import build_robot
 from surefoot.sim import Plant
 from surefoot.sim.lost_frames import lost_frames
-from surefoot.sim.model.mujoco_model import trunk_mass
 
 Schedule = Sequence[tuple[float, tuple[float, float, float]]]
 """Times [s] in ascending order, each with the velocity from then on; before the first one: 0."""
@@ -28,10 +27,10 @@ def walking_plant_of(source: RobotSource, condition: Condition) -> Plant:
 
     Call reseed() before each run.
     """
-    description = describe_source(source)
-    settings = plant_settings(condition, build_robot(description).mass, trunk_mass(description))
+    settings = source_settings(source, condition)
     return Plant(
-        description, replace(settings, walking_sensors=True, soft_soles=True, leg_collisions=True)
+        describe_source(source),
+        replace(settings, walking_sensors=True, soft_soles=True, leg_collisions=True),
     )
 
 

@@ -29,9 +29,21 @@ FIGURES = (
 
 
 def walk_score(
-    settings: AssessSettings, robot: Robot, limits: PushLimits, results: StoredResults
+    settings: AssessSettings,
+    robot: Robot,
+    limits: PushLimits,
+    results: StoredResults,
+    foreign_plant: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """Return the filled scorecard as JSON values."""
+    """Return the filled scorecard as JSON values.
+
+    Args:
+        settings: Settings of the assessment.
+        robot: Model of the robot.
+        limits: Push limits of the model.
+        results: Results of all units.
+        foreign_plant: Section of the foreign plant; None: there is no MJCF.
+    """
     card, name = settings.walk_card, settings.controller_under_test.name
     unit_results = controller_results(results, name)
     filled = {
@@ -39,7 +51,7 @@ def walk_score(
         "controller": name,
         "card": card.name,
         "lip_limit_ns": _lip_limits(settings, limits),
-        "walk": _walk_section(settings, limits, unit_results),
+        "walk": walk_section(settings, limits, unit_results),
         "conditions": [
             {
                 "name": condition.name,
@@ -49,11 +61,12 @@ def walk_score(
             for condition in (card.conditions[1:] if card.condition_seeds else ())
         ],
         "references": {
-            reference.name: _walk_section(
+            reference.name: walk_section(
                 settings, limits, controller_results(results, reference.name)
             )
             for reference in walk_plan.walking_references(settings)
         },
+        "foreign_plant": foreign_plant,
         "settings": settings.to_dict(robot),
         "versions": describe_machine()["versions"],
     }
@@ -61,9 +74,10 @@ def walk_score(
     return result
 
 
-def _walk_section(
+def walk_section(
     settings: AssessSettings, limits: PushLimits, unit_results: UnitResults
 ) -> dict[str, Any]:
+    """Return the walks and pushes of one controller under the nominal condition."""
     card = settings.walk_card
     return {
         "velocities": [

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from surefoot.assess.scorecard_text import foreign_title
 from surefoot.assess.sweep import percent_text
 
 
@@ -40,6 +41,8 @@ def walk_tables(card: dict[str, Any]) -> list[Table]:
     """Return the tables: velocities and pushes of each controller, then conditions."""
     tables = []
     sections = {card["controller"]: card["walk"], **card["references"]}
+    if card["foreign_plant"] is not None:
+        sections[foreign_title(card["foreign_plant"])] = card["foreign_plant"]["walk"]
     for name, section in sections.items():
         rows = [(_velocity(row["velocity"]), row) for row in section["velocities"]]
         tables.append(_walks(f"{name}: worst of the seeds", "velocity", rows))

@@ -8,9 +8,10 @@ from typing import Any, ClassVar
 import numpy as np
 
 from surefoot.assess.condition import Condition
-from surefoot.assess.condition_plant import RobotSource, loop_delay
+from surefoot.assess.condition_plant import loop_delay
 from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.push_outcome import PushOutcome
+from surefoot.assess.robot_source import RobotSource
 from surefoot.assess.walking.true_walk import TrueWalk
 from surefoot.assess.walking.walk_figures import walk_figures
 from surefoot.assess.walking.walk_rollout import Schedule, walk_out, walking_plant_of

@@ -32,10 +32,13 @@ class Handles:
         joint_v: (12,) indices into qvel: velocities on the link's side.
         foot_bodies: (4,) bodies of the feet.
         foot_geoms: (4,) geoms of the foot spheres.
+        foot_radius: Radius of the foot spheres [m].
         ground_geom: Geom of the ground plane or platform.
-        ground_geoms: ground_geom, and the block under a foot if there is one.
-        terrain_geoms: Boxes of PlantSettings.terrain.
-        calf_geoms: Geoms of the calves, which may touch the terrain.
+        ground_geoms: ground_geom, and the block under a foot if there is one: only feet may touch
+            them. Empty for the ground of an MJCF.
+        terrain_geoms: Boxes of PlantSettings.terrain; or ground and obstacles of an MJCF, whose
+            soft feet may sink so deep that the calves touch the ground.
+        calf_geoms: Geoms of the calves, which may touch terrain_geoms.
         gyro: (3,) entries of sensordata: angular velocity, IMU axes.
         accelerometer: (3,) entries of sensordata: specific force, IMU axes.
         quaternion: (4,) entries of sensordata: rotation from IMU to world axes, w x y z.
@@ -50,6 +53,7 @@ class Handles:
     joint_v: Indices
     foot_bodies: Indices
     foot_geoms: Indices
+    foot_radius: float
     ground_geom: int
     ground_geoms: tuple[int, ...]
     terrain_geoms: frozenset[int]
@@ -61,8 +65,16 @@ class Handles:
     ground_normal: Array
 
 
-def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
-    """Return the handles of a model; all parts are looked up by name."""
+def find_handles(
+    model: mujoco.MjModel, robot: Robot, calves_may_touch_ground: bool = False
+) -> Handles:
+    """Return the handles of a model; all parts are looked up by name.
+
+    Args:
+        model: Result of build_model().
+        robot: The robot.
+        calves_may_touch_ground: Whether the ground counts as terrain, as for an MJCF.
+    """
     joints, feet = robot.config.joint_names, robot.config.foot_frames
     rotors = [rotor_name(name) for name in joints]
     has_rotors = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, rotors[0]) >= 0
@@ -75,6 +87,10 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         start, size = model.sensor(name).adr[0], model.sensor(name).dim[0]
         return slice(int(start), int(start + size))
 
+    ground = [id for id in map(geom, (GROUND, BLOCK)) if id >= 0]
+    terrain = [id for id in range(model.ngeom) if model.geom(id).name.startswith(TERRAIN)]
+    if calves_may_touch_ground:
+        ground, terrain = [], ground + terrain
     calves = [int(model.joint(name).bodyid[0]) for name in joints[2::3]]
     return Handles(
         root=int(model.site(IMU_SITE).bodyid[0]),
@@ -84,11 +100,10 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         joint_v=np.array([model.joint(name).dofadr[0] for name in joints]),
         foot_bodies=np.array([model.body(name).id for name in feet]),
         foot_geoms=np.array([model.geom(name).id for name in feet]),
+        foot_radius=float(model.geom(feet[0]).size[0]),
         ground_geom=geom(GROUND),
-        ground_geoms=tuple(id for id in map(geom, (GROUND, BLOCK)) if id >= 0),
-        terrain_geoms=frozenset(
-            id for id in range(model.ngeom) if model.geom(id).name.startswith(TERRAIN)
-        ),
+        ground_geoms=tuple(ground),
+        terrain_geoms=frozenset(terrain),
         calf_geoms=frozenset(np.flatnonzero(np.isin(model.geom_bodyid, calves)).tolist()),
         gyro=sensor("gyro"),
         accelerometer=sensor("accelerometer"),

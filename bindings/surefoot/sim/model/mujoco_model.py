@@ -1,4 +1,4 @@
-"""Builds the MuJoCo model from the same URDF as the controller's model."""
+"""Builds the MuJoCo model: from the same URDF as the controller's model, or from an MJCF."""
 
 from __future__ import annotations
 
@@ -6,25 +6,18 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Error, Robot
+from surefoot.geometry.rotations import Array
 from surefoot.messages.low_state_layout import LEGS
-from surefoot.robot.loading import RobotDescription, per_motor
-from surefoot.robot.srdf import read_disabled_collisions
-from surefoot.robot.urdf import read_urdf
+from surefoot.robot.loading import RobotDescription
+from surefoot.sim.mjcf.find import find_parts
+from surefoot.sim.mjcf.scene import mjcf_scene
 from surefoot.sim.model.backlash import add_backlash
 from surefoot.sim.model.leg_collisions import exclude_overlapping_pairs
-from surefoot.sim.model.moving_ground import BLOCK, PLATFORM, add_block, place_block
-from surefoot.sim.model.scene import (
-    BODY_FRICTION,
-    FOOT_SOLIMP,
-    FOOT_SOLREF,
-    GROUND,
-    add_ground,
-    add_light_and_sky,
-    add_terrain,
-    set_physics,
-)
-from surefoot.sim.model.soft_ground import add_soft_contacts, set_contact_stiffness
+from surefoot.sim.model.moving_ground import BLOCK, add_block, place_block
+from surefoot.sim.model.scene import GROUND, TERRAIN
+from surefoot.sim.model.soft_ground import set_contact_stiffness
 from surefoot.sim.model.urdf import load_urdf, one_line, root_body
+from surefoot.sim.model.urdf_scene import urdf_scene
 from surefoot.sim.settings import PlantSettings
 
 IMU_SITE = "surefoot_imu"
@@ -36,39 +29,38 @@ def build_model(
 ) -> mujoco.MjModel:
     """Build the MuJoCo model of a robot on its ground.
 
-    The model has no actuators: motor torques are written to qfrc_applied.
+    The model has no actuators: motor torques are written to qfrc_applied. Base, joints, feet and
+    ground have the same names whether the model comes from a URDF or from an MJCF.
 
     Args:
         robot: The robot as the controller knows it.
-        description: The files of the robot.
+        description: The files of the robot; its MJCF, if there is one, replaces URDF and SRDF.
         settings: Ground, payload, friction, armature, backlash, step.
         visuals: Whether to add the visual meshes for pictures and hide the collision geometry.
 
     Raises:
-        Error: A joint, foot body or mesh is missing, MuJoCo rejects the URDF, or a joint with
-            backlash has no rotor inertia.
+        Error: A joint, foot body or mesh is missing, MuJoCo rejects the file, an element of the
+            MJCF is not supported, or a joint with backlash has no rotor inertia.
     """
-    spec = load_urdf(description)
-    set_physics(spec, settings)
-    add_ground(spec, settings)
-    add_terrain(spec, settings)
-    add_light_and_sky(spec)
-    set_joints(spec, robot, description, settings)
+    position, quaternion = robot.config.p_base_imu, robot.config.quat_base_imu
+    if description.mjcf is None:
+        spec = urdf_scene(robot, description, settings)
+    else:
+        spec, imu = mjcf_scene(robot, description.mjcf, settings, visuals)
+        position, quaternion = imu.position, imu.quaternion
     add_backlash(spec, robot, settings)
-    set_contacts(spec, robot, settings)
-    add_soft_contacts(spec, robot, settings)
-    if not settings.leg_collisions:
-        exclude_collision_pairs(spec, description)
     apply_trunk_flaws(spec, settings)
     add_payload(spec, settings)
     add_block(spec, settings)
-    add_sensors(spec, robot, settings)
-    if visuals:
+    add_imu(spec, position, quaternion)
+    add_foot_sensors(spec, robot, settings)
+    if visuals and description.mjcf is None:
         from surefoot.sim.model.visuals import add_visuals
 
         add_visuals(spec, description)
     model = _compile(spec, description)
-    if settings.leg_collisions and exclude_overlapping_pairs(spec, model, robot):
+    own = description.mjcf is None
+    if own and settings.leg_collisions and exclude_overlapping_pairs(spec, model, robot):
         model = _compile(spec, description)
     set_contact_stiffness(model, robot, settings)
     place_block(model, robot, settings)
@@ -76,70 +68,12 @@ def build_model(
 
 
 def _compile(spec: mujoco.MjSpec, description: RobotDescription) -> mujoco.MjModel:
+    kind = "URDF" if description.mjcf is None else "MJCF"
+    path = description.mjcf or description.urdf
     try:
         return spec.compile()
     except ValueError as problem:
-        raise Error(f"URDF '{description.urdf}': MuJoCo rejects it: {one_line(problem)}") from None
-
-
-def set_joints(
-    spec: mujoco.MjSpec, robot: Robot, description: RobotDescription, settings: PlantSettings
-) -> None:
-    """Set armature, friction and damping of the motor joints: from the TOML, else from the URDF."""
-    table = description.table.get("simulation", {})
-    for i, name in enumerate(robot.config.joint_names):
-        joint = spec.joint(name)
-        joint.armature = robot.config.armature[i] * settings.armature_scale
-        friction, damping = joint.frictionloss, joint.damping[0]
-        if "joint_friction" in table:
-            friction = per_motor(table["joint_friction"], "simulation.joint_friction")[i]
-        if "joint_damping" in table:
-            damping = per_motor(table["joint_damping"], "simulation.joint_damping")[i]
-        joint.frictionloss = friction * settings.joint_friction_scale
-        joint.damping = [damping * settings.joint_friction_scale, 0.0, 0.0]
-
-
-def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Replace each foot's geometry by a sphere at its frame; name all geoms after their body."""
-    for body in spec.bodies:
-        if body.name in ("world", PLATFORM):
-            continue
-        for k, geom in enumerate(body.geoms):
-            geom.name = f"{body.name}_collision_{k}"
-            geom.friction = [BODY_FRICTION, 0.005, 0.0001]
-    names = [body.name for body in spec.bodies]
-    for name in robot.config.foot_frames:
-        if name not in names:
-            raise Error(
-                f"foot frame: got '{name}', expected a link of the URDF: {', '.join(names)}"
-            )
-        body = spec.body(name)
-        for geom in list(body.geoms):
-            spec.delete(geom)
-        body.add_geom(
-            name=name,
-            type=mujoco.mjtGeom.mjGEOM_SPHERE,
-            size=[robot.config.foot_radius, 0.0, 0.0],
-            density=0.0,
-            # With this priority, contacts of a foot use the friction and stiffness of the foot.
-            priority=1,
-            condim=3,
-            friction=[settings.friction, 0.005, 0.0001],
-            solref=FOOT_SOLREF,
-            solimp=FOOT_SOLIMP,
-        )
-
-
-def exclude_collision_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    """Exclude the collision pairs that the SRDF disables, because neighbouring links overlap."""
-    if description.srdf is None:
-        return
-    # A world link above the base is no body.
-    links = read_urdf(description.urdf, description.table).links
-    names = {body.name for body in spec.bodies}
-    for first, second in read_disabled_collisions(description.srdf, links):
-        if first in names and second in names and first != second:
-            spec.add_exclude(bodyname1=first, bodyname2=second)
+        raise Error(f"{kind} '{path}': MuJoCo rejects it: {one_line(problem)}") from None
 
 
 def find_trunk(spec: mujoco.MjSpec) -> mujoco.MjsBody:
@@ -149,9 +83,15 @@ def find_trunk(spec: mujoco.MjSpec) -> mujoco.MjsBody:
     return max(fixed, key=lambda body: float(body.mass))
 
 
-def trunk_mass(description: RobotDescription) -> float:
-    """Return the trunk's mass [kg]; raise Error if the URDF or a mesh is missing."""
-    return float(find_trunk(load_urdf(description)).mass)
+def trunk_mass(robot: Robot, description: RobotDescription) -> float:
+    """Return the trunk's mass [kg] in the plant; raise Error if a file or mesh is missing."""
+    if description.mjcf is None:
+        return float(find_trunk(load_urdf(description)).mass)
+    parts = find_parts(description.mjcf, robot)
+    model, base = parts.model, parts.tree.base
+    # The bodies among which find_trunk() chooses. The file need not have their masses.
+    below = (model.body_parentid == base) & (model.body_weldid == base)
+    return float(max(model.body_mass[base], *model.body_mass[below], 0.0))
 
 
 def apply_trunk_flaws(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
@@ -186,21 +126,24 @@ def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
     )
 
 
-def add_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Add the IMU at its mount, and for each foot a sensor of the net ground force."""
-    root_body(spec).add_site(
-        name=IMU_SITE, pos=robot.config.p_base_imu, quat=robot.config.quat_base_imu
-    )
+def add_imu(spec: mujoco.MjSpec, position: Array, quaternion: Array) -> None:
+    """Add the IMU at a position [m] and with a rotation w x y z from IMU to base axes."""
+    root_body(spec).add_site(name=IMU_SITE, pos=position, quat=quaternion)
     for kind, name in (
         (mujoco.mjtSensor.mjSENS_GYRO, "gyro"),
         (mujoco.mjtSensor.mjSENS_ACCELEROMETER, "accelerometer"),
         (mujoco.mjtSensor.mjSENS_FRAMEQUAT, "quaternion"),
     ):
         spec.add_sensor(name=name, type=kind, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=IMU_SITE)
+
+
+def add_foot_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
+    """Add a sensor of the net ground force for each foot."""
+    has_terrain = any(geom.name.startswith(TERRAIN) for geom in spec.worldbody.geoms)
     for leg, name in zip(LEGS, robot.config.foot_frames, strict=True):
         # With a terrain, the ground is all of the world's geoms.
         ground = (mujoco.mjtObj.mjOBJ_GEOM, BLOCK if leg == settings.block_foot else GROUND)
-        if not settings.terrain.is_flat:
+        if has_terrain:
             ground = (mujoco.mjtObj.mjOBJ_BODY, "world")
         spec.add_sensor(
             name=name,

@@ -43,7 +43,11 @@ def one_line(problem: Exception) -> str:
 
 
 def root_body(spec: mujoco.MjSpec) -> mujoco.MjsBody:
-    """Return the robot's base: the first body of the world."""
+    """Return the robot's base: the body with a free joint, else the first body of the world."""
+    free = mujoco.mjtJoint.mjJNT_FREE
+    for body in spec.worldbody.bodies:
+        if any(joint.type == free for joint in body.joints):
+            return body
     return spec.worldbody.first_body()
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import mujoco
 
-from surefoot._core import Robot
 from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 
@@ -31,9 +30,7 @@ def fix_base(model: mujoco.MjModel, handles: Handles) -> None:
     model.dof_damping[start : start + 6] = _BASE_DAMPING
 
 
-def hanging_height(
-    model: mujoco.MjModel, data: mujoco.MjData, handles: Handles, robot: Robot
-) -> float:
+def hanging_height(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> float:
     """Return the height of the base at which straight legs clear flat ground [m].
 
     On return, `data` has straight legs and kinematics up to date.
@@ -41,5 +38,5 @@ def hanging_height(
     data.qpos[handles.joint_q] = 0.0
     mujoco.mj_kinematics(model, data)
     feet: Array = data.xpos[handles.foot_bodies, 2]
-    foot_depth = float(data.qpos[2] - feet.min()) + robot.config.foot_radius
+    foot_depth = float(data.qpos[2] - feet.min()) + handles.foot_radius
     return foot_depth + CLEARANCE

@@ -32,14 +32,14 @@ def place_standing(
     mujoco.mj_resetData(model, data)
     data.qpos[3:7] = model.geom_quat[handles.ground_geom]
     if settings.hung:
-        data.qpos[2] = hanging_height(model, data, handles, robot)
+        data.qpos[2] = hanging_height(model, data, handles)
     data.qpos[handles.joint_q] = robot.config.q_standing
     data.qpos[handles.motor_q] = robot.config.q_standing  # with backlash: in the middle of the play
     if settings.hung:
         return
     mujoco.mj_kinematics(model, data)
     heights = data.xpos[handles.foot_bodies] @ handles.ground_normal
-    gap = heights.min() - robot.config.foot_radius + settings.contact_sink
+    gap = heights.min() - handles.foot_radius + settings.contact_sink
     data.qpos[:3] -= gap * handles.ground_normal
 
 

@@ -120,7 +120,7 @@ class Simulation:
         force, point = plant.push_force
         self.scene_state = SceneState(
             qpos=plant.data.qpos.copy(),
-            contact_points=truth.p_world_feet.T - self.robot.config.foot_radius * normal,
+            contact_points=truth.p_world_feet.T - plant.handles.foot_radius * normal,
             forces=truth.foot_forces.T,
             contact=truth.contact,
             com=truth.com,

@@ -19,21 +19,29 @@ def add_world_panel(
 ) -> None:
     """Add the controls of the world; each change restarts the robot in the new world.
 
+    An MJCF gives friction and slope, so their sliders are disabled.
+
     Args:
         gui: GUI that gets the controls.
         simulation: The simulation.
         post: Function that runs an action in the thread that owns the simulation.
     """
     world, mass = simulation.world, simulation.robot.mass
+    fixed = simulation.description.mjcf is not None
     hint = f"the controller assumes {simulation.robot.config.friction:g}"
-    friction = gui.add_slider("friction [1]", 0.1, 1.5, 0.05, world.friction, hint=hint)
+    if fixed:
+        hint += f"; the MJCF has {simulation.plant.friction:g}"
+    friction = gui.add_slider(
+        "friction [1]", 0.1, 1.5, 0.05, world.friction, hint=hint, disabled=fixed
+    )
     hint = "on the trunk, unknown to the controller"
     payload = gui.add_slider("payload [kg]", 0.0, float(round(1.5 * mass)), 0.5, 0.0, hint=hint)
     hint = "extra delay of commands; real sensors already delay LowState and LowCmd by 2 ms each"
     delay = gui.add_slider("latency [ms]", 0.0, 20.0, 1.0, world.delay_ms, hint=hint)
     hint = "latency that the controller compensates by prediction"
     predicted = gui.add_slider("compensated [ms]", 0.0, 20.0, 1.0, world.predicted_ms, hint=hint)
-    slope = gui.add_slider("slope [deg]", -15.0, 15.0, 1.0, 0.0, hint="uphill forward")
+    hint = "uphill forward"
+    slope = gui.add_slider("slope [deg]", -15.0, 15.0, 1.0, 0.0, hint=hint, disabled=fixed)
     sensors = gui.add_dropdown("sensors", _SENSORS, initial_value=world.sensors)
     hint = (
         "robot: est or dead, as on the real robot; est: footForceEst in newtons and footForce in "

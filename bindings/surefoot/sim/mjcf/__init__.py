@@ -1,0 +1,1 @@
+"""A robot and its scene from an MJCF file of somebody else."""

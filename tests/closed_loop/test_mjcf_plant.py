@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plant from an MJCF: its values are those of the file, and the controller stands and walks."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot import Error
+from surefoot.assess.foreign_stance import plant_stance
+from surefoot.assess.stance_model import stance_model
+from surefoot.cli import main
+from surefoot.robot.loading import build_robot, describe_robot
+from surefoot.sim import Plant, PlantSettings, Terrain
+from surefoot.sim.model.mujoco_model import trunk_mass
+from surefoot.stand import StandSettings, parse_push, run_stand, summarise
+from surefoot.tune.live.simulation import Simulation
+from surefoot.walk import WalkSettings, parse_velocity, run_walk
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+
+from foreign_mjcf import VARIANTS, write_mjcf
+
+COARSE = PlantSettings(physics_dt=0.001, seed=1)
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Return the MJCF files of all variants, by name."""
+    folder = tmp_path_factory.mktemp("mjcf")
+    return {
+        name: write_mjcf(folder / f"{k}.xml", *changes)
+        for k, (name, changes) in enumerate(VARIANTS.items())
+    }
+
+
+def stand(mjcf: Path | None, duration: float = 2.0, push: str | None = None) -> Any:
+    robot = describe_robot("go1") if mjcf is None else describe_robot("go1").with_mjcf(mjcf)
+    pushes = () if push is None else (parse_push(push),)
+    return run_stand(StandSettings(robot, duration, COARSE, pushes=pushes))
+
+
+@pytest.mark.parametrize("name", ["ours", "other initial pose", "other axes"])
+def test_our_own_model_moves_as_our_own_plant(files: dict[str, Path], name: str) -> None:
+    ours, theirs = (
+        stand(None, 0.5, "lateral:50%:0.1@0.1"),
+        stand(files[name], 0.5, "lateral:50%:0.1@0.1"),
+    )
+    assert np.abs(ours.q_true - theirs.q_true).max() < 1e-3
+    assert np.abs(ours.tau - theirs.tau).max() < 0.5
+    assert ours.lip_limit == pytest.approx(theirs.lip_limit, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_robot_stands_after_a_push_of_50_percent(files: dict[str, Path], name: str) -> None:
+    log = stand(files[name], 3.0, "lateral:50%:0.1@0.5")
+    assert not log.fell and summarise(log)["settled"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", VARIANTS)
+def test_robot_walks_at_a_half_metre_per_second(files: dict[str, Path], name: str) -> None:
+    plant = PlantSettings(physics_dt=0.001, seed=1, walking_sensors=True, soft_soles=True)
+    robot = describe_robot("go1").with_mjcf(files[name])
+    velocities = (parse_velocity("0.5,0,0@0.5"),)
+    log = run_walk(WalkSettings(robot, 5.0, plant, velocities=velocities))
+    assert not log.fell
+    assert log.com_velocity[1500:, 0].mean() == pytest.approx(0.5, abs=0.08)
+
+
+def test_masses_joints_and_contacts_are_those_of_the_file(files: dict[str, Path]) -> None:
+    plants = {name: Plant("go1", COARSE, mjcf=path) for name, path in files.items()}
+    ours = plants["ours"]
+    assert plants["friction 0.4"].friction == 0.4 and ours.friction == 0.8
+    assert plants["mass +10 %"].model.body_mass.sum() == pytest.approx(1.1 * ours.robot.mass)
+    assert plants["foot radius -10 %"].handles.foot_radius == pytest.approx(0.018)
+    damped, feet = plants["damping 2"], plants["soft contact"].handles.foot_geoms
+    assert np.allclose(damped.model.dof_damping[damped.handles.joint_v].reshape(12, -1)[:, 0], 2.0)
+    assert np.allclose(plants["soft contact"].model.geom_solimp[feet, 0], 0.015)
+    assert all(plant.robot.mass == ours.robot.mass for plant in plants.values())
+
+
+def test_first_sample_has_the_angles_of_our_convention(files: dict[str, Path]) -> None:
+    for name in ("other initial pose", "other axes"):
+        state = Plant("go1", PlantSettings(sensors="ideal"), mjcf=files[name]).reset()
+        angles = [state.motorState[i].q for i in range(12)]
+        assert np.allclose(angles, surefoot.load_robot("go1").config.q_standing, atol=0.05), name
+
+
+def test_stance_of_our_own_model_is_that_of_the_controller(files: dict[str, Path]) -> None:
+    plant = Plant("go1", COARSE, mjcf=files["ours"])
+    theirs, ours = plant_stance(plant), stance_model(plant.robot)
+    assert theirs.mass == pytest.approx(ours.mass)
+    for name in ("com", "contacts", "jacobians", "gravity_torque"):
+        assert np.allclose(getattr(theirs, name), getattr(ours, name), atol=1e-9), name
+
+
+def test_actuators_and_keyframes_of_the_file_have_no_effect(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    other = tmp_path / "other.xml"
+    text = re.sub(r"<actuator>.*</actuator>", "", files["ours"].read_text(), flags=re.DOTALL)
+    position = '<position name="p" joint="FR_calf_joint" kp="500"/>'
+    other.write_text(text.replace("</mujoco>", f"<actuator>{position}</actuator></mujoco>"))
+    assert np.array_equal(stand(files["ours"], 0.2).commands, stand(other, 0.2).commands)
+
+
+def test_foot_without_a_ground_stands_on_a_plane_with_its_own_friction(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    path.write_text(re.sub(r'<geom name="ground"[^>]*/>', "", files["friction 0.4"].read_text()))
+    plant = Plant("go1", COARSE, mjcf=path)
+    assert plant.friction == 0.4
+    assert plant.mapping is not None and "a plane is added" in plant.mapping.ground
+
+
+def test_feet_that_collide_by_contact_pairs_stand_with_the_friction_of_the_pairs(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    text = files["ours"].read_text()
+    names = [f"foot {k}" for k in range(4)]
+    for name, new in zip(("FR_foot", "FL_foot", "RR_foot", "RL_foot"), names, strict=True):
+        old = f'<geom name="{name}"'
+        text = text.replace(old, f'<geom name="{new}" contype="0" conaffinity="0"')
+    pairs = "".join(
+        f'<pair geom1="{new}" geom2="ground" condim="3" friction="0.3 0.3 0 0 0"/>' for new in names
+    )
+    path.write_text(text.replace("</mujoco>", f"<contact>{pairs}</contact></mujoco>"))
+    plant = Plant("go1", COARSE, mjcf=path)
+    assert plant.friction == 0.3
+    assert plant.truth.foot_forces[2].sum() == pytest.approx(9.81 * plant.robot.mass, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("friction", 0.5),
+        ("slope_deg", 5.0),
+        ("soft_ground_sink", 0.01),
+        ("terrain", Terrain(step_height=0.05)),
+        ("block_foot", "FR"),
+        ("platform_heading_deg", 0.0),
+    ],
+)
+def test_setting_that_the_file_replaces_is_refused(
+    files: dict[str, Path], name: str, value: Any
+) -> None:
+    with pytest.raises(Error, match=f"^{name}: got .* with an MJCF.*change the file"):
+        Plant("go1", PlantSettings(**{name: value}), mjcf=files["ours"])
+
+
+def test_payload_backlash_and_scales_act_on_the_robot_of_the_file(files: dict[str, Path]) -> None:
+    settings = PlantSettings(payload_kg=2.0, backlash_deg=0.3, armature_scale=2.0)
+    plant, ours = Plant("go1", settings, mjcf=files["ours"]), Plant("go1", settings)
+    assert plant.model.body_mass.sum() == pytest.approx(ours.model.body_mass.sum())
+    assert np.allclose(
+        plant.model.dof_armature[plant.handles.motor_v],
+        ours.model.dof_armature[ours.handles.motor_v],
+    )
+
+
+def test_legs_of_another_robot_are_refused(tmp_path: Path) -> None:
+    path = write_mjcf(tmp_path / "robot.xml", robot="b1")
+    with pytest.raises(Error, match=r"thigh of 'go1' is 0\.213 m long, in the file 0\.350 m"):
+        Plant("go1", mjcf=path)
+
+
+def test_trunk_of_our_own_model_has_our_trunk_mass(files: dict[str, Path]) -> None:
+    ours = describe_robot("go1")
+    robot = build_robot(ours)
+    theirs = trunk_mass(robot, ours.with_mjcf(files["ours"]))
+    assert theirs == pytest.approx(trunk_mass(robot, ours))
+
+
+def test_range_without_the_standing_pose_is_refused(tmp_path: Path, files: dict[str, Path]) -> None:
+    path = tmp_path / "robot.xml"
+    text = files["other initial pose"].read_text()
+    path.write_text(re.sub(r'(name="RL_calf_joint" range=)"[^"]*"', r'\1"-0.2 0.5"', text))
+    with pytest.raises(Error, match=r"joint 'RL_calf_joint': got range -0\.2 .. 0\.5 rad, .*-0\.4"):
+        Plant("go1", mjcf=path)
+
+
+def test_robot_walks_onto_an_obstacle_of_the_file(tmp_path: Path, files: dict[str, Path]) -> None:
+    path = tmp_path / "robot.xml"
+    box = '<geom name="step" type="box" size="0.5 1 0.02" pos="0.75 0 0.02"/></worldbody>'
+    path.write_text(files["ours"].read_text().replace("</worldbody>", box))
+    plant = Plant("go1", COARSE, mjcf=path)
+    controller, state = surefoot.WalkController(plant.robot), plant.reset()
+    for _ in range(1500):
+        controller.set_velocity(surefoot.WalkVelocity(0.3, 0.0, 0.0))
+        state = plant.step(controller.update(state))
+    truth = plant.truth
+    assert not truth.fell and truth.p_world_feet[2].max() > 0.055
+    assert truth.foot_forces[2].sum() > 0.5 * 9.81 * plant.robot.mass
+
+
+def test_simulation_that_diverges_counts_as_a_fall(files: dict[str, Path]) -> None:
+    plant = Plant("go1", COARSE, mjcf=files["ours"])
+    plant.data.qvel[:] = 1e12
+    for _ in range(10):
+        plant.step(surefoot.LowCmd())
+    assert plant.truth.fell
+
+
+def test_live_tuning_simulates_the_robot_of_the_file(files: dict[str, Path]) -> None:
+    simulation = Simulation(describe_robot("go1").with_mjcf(files["friction 0.4"]))
+    assert simulation.plant.friction == 0.4
+    for _ in range(20):
+        simulation.tick()
+    assert simulation.healthy
+
+
+def test_stand_prints_the_mapping_and_names_the_file_in_its_summary(
+    files: dict[str, Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    mjcf = str(files["friction 0.4"])
+    assert main(["stand", "--mjcf", mjcf, "--duration", "0.5", "--json", "-"]) == 0
+    printed = capsys.readouterr()
+    summary = json.loads(printed.out)
+    assert summary["mjcf"] == mjcf and summary["friction"] == 0.4
+    assert "FR_hip_joint" in printed.err and "actuators are off" in printed.err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("walk", [False, True])
+def test_scorecard_has_a_section_for_the_foreign_plant(
+    tmp_path: Path, files: dict[str, Path], walk: bool
+) -> None:
+    card, out = tmp_path / "tiny.toml", tmp_path / "card.json"
+    stand_card = 'directions = 1\nseeds = 1\ncondition_seeds = 1\nfaults = "none"\n'
+    walk_card = "velocities = [[0.3, 0.0, 0.0]]\nwalk_s = 2.0\nseeds = 1\npush_velocities = []\n"
+    card.write_text(walk_card + "condition_seeds = 0\n" if walk else stand_card)
+    mjcf = files["friction 0.4"]
+    options = ["--scenario", str(card), "--jobs", "1", "--json", str(out), "--mjcf", str(mjcf)]
+    assert main(["assess", "--robot", "go1", *options, *(["--walk"] if walk else [])]) == 0
+    result = json.loads(out.read_text())
+    section = result["foreign_plant"]
+    assert section["mjcf"] == str(mjcf) and section["friction"] == 0.4
+    if walk:
+        assert section["walk"]["velocities"][0]["walked"] == 1
+        return
+    foreign = section["push"]["tables"][0]["directions"][0]
+    ours = result["push"]["tables"][0]["directions"][0]
+    assert foreign["limit_ns"] < 0.9 * ours["limit_ns"]  # friction 0.4 lowers the limit
+    assert foreign["lip_ns"] == pytest.approx(ours["lip_ns"])
+    assert section["stand"]["passed"] == 1
