@@ -32,7 +32,7 @@ GROUPS = {
     "Robots": ("robot", "robot_config"),
     "Estimation": ("state_estimator", "estimator_report"),
     "Safety and faults": ("safety", "arming", "fault", "fallback_level", "supervisor_enums"),
-    "Link": ("frames", "udp_link", "wireless_remote"),
+    "Link": ("frames", "robot_link", "udp_link", "wireless_remote"),
     "Errors, logs, timing": ("error", "run_log", "stage_clock"),
 }
 UMBRELLA = "surefoot"  # includes all the others

@@ -31,7 +31,7 @@ CORE_GROUPS = {
     "Safety and faults": (
         "Safety ArmingCheck ArmingReport FaultId FaultInfo FaultReaction FaultReport fault_table"
     ),
-    "Link": "UdpLink LinkCounts",
+    "Link": "RobotLink UdpLink LinkCounts",
     "Errors": "Error",
 }
 MODULES = {
