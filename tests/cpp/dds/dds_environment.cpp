@@ -41,7 +41,13 @@ boost::test_tools::assertion_result has_libddsc(boost::unit_test::test_unit_id) 
   return loads(test_library());
 }
 boost::test_tools::assertion_result has_system_libddsc(boost::unit_test::test_unit_id) {
-  return loads(kSystemLibrary);
+  const boost::test_tools::assertion_result result = loads(kSystemLibrary);
+  if (!result || !loads(test_library())) return result;
+  const bool same =
+      load_dds_library(kSystemLibrary, false).path == load_dds_library(test_library(), false).path;
+  boost::test_tools::assertion_result other(!same);
+  other.message() << "libddsc of the system is the one under test";
+  return other;
 }
 
 }  // namespace surefoot

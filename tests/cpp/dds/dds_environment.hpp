@@ -24,7 +24,7 @@ boost::test_tools::assertion_result has_libddsc(boost::unit_test::test_unit_id);
 
 /// libddsc of Debian 12, version 0.10.2, package libddsc0debian.
 constexpr const char* kSystemLibrary = "libddsc.so.0debian";
-/// Enables a test only if kSystemLibrary can be loaded.
+/// Enables a test only if kSystemLibrary can be loaded and is not test_library().
 boost::test_tools::assertion_result has_system_libddsc(boost::unit_test::test_unit_id);
 
 }  // namespace surefoot

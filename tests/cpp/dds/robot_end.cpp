@@ -16,9 +16,9 @@ void pause(int milliseconds) {
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 
-RobotEnd::RobotEnd(const DdsNetwork& network)
-    : writer(network.participant(), unitree_go_msg_dds__LowState__desc, kStateTopic),
-      reader(network.participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic) {}
+RobotEnd::RobotEnd(const DdsParticipant& participant)
+    : writer(participant, unitree_go_msg_dds__LowState__desc, kStateTopic),
+      reader(participant, unitree_go_msg_dds__LowCmd__desc, kCommandTopic) {}
 
 void RobotEnd::send_state(std::uint32_t tick, bool with_crc) {
   LowState state = init_low_state();

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "dds/network/endpoints.hpp"
-#include "surefoot/dds_network.hpp"
 
 namespace surefoot {
 
@@ -23,7 +22,7 @@ bool wait_until(Condition&& condition) {
 
 /// The end of a go2 in a link: writes rt/lowstate, reads rt/lowcmd.
 struct RobotEnd {
-  explicit RobotEnd(const DdsNetwork& network);
+  explicit RobotEnd(const DdsParticipant& participant);
 
   /// Send a LowState at rest.
   /// @param with_crc false: crc 0

@@ -21,7 +21,7 @@ namespace {
 
 struct LinkFixture {
   std::shared_ptr<DdsNetwork> network = test_network();
-  RobotEnd robot{*network};
+  RobotEnd robot{network->participant()};
   DdsLink link{network, options()};
   LowCmd torque_command = init_low_cmd();
   LinkFixture() { torque_command.motorCmd[0].tau = 1.0F; }
@@ -113,7 +113,7 @@ BOOST_FIXTURE_TEST_CASE(tick_that_stands_at_0_is_said_with_the_remedy, LinkFixtu
 
 BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {
   const auto network = test_network();
-  RobotEnd robot(*network);
+  RobotEnd robot(network->participant());
   DdsLinkOptions options = LinkFixture::options();
   options.tick = TickSource::kArrival;
   DdsLink link(network, options);
@@ -151,7 +151,7 @@ BOOST_FIXTURE_TEST_CASE(other_writer_of_commands_makes_the_link_damp_and_is_name
 BOOST_FIXTURE_TEST_CASE(second_robot_makes_the_link_damp, LinkFixture) {
   robot.send_state(1);
   BOOST_TEST(receive());
-  const RobotEnd second(*network);
+  const RobotEnd second(network->participant());
   BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
   BOOST_TEST(std::isnan(sent_tau()));
 }

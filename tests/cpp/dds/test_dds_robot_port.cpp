@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(sport_service_is_a_second_commander_until_it_ends) {
 
 BOOST_AUTO_TEST_CASE(ten_thousand_random_states_pass_through_dds) {
   const auto network = test_network();
-  RobotEnd robot(*network);
+  RobotEnd robot(network->participant());
   DdsLinkOptions options;
   options.discovery_time = 0.1;
   DdsLink link(network, options);

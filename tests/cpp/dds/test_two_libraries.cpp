@@ -4,9 +4,11 @@
 #include <filesystem>
 
 #include "dds/ddsc/library.hpp"
+#include "dds/network/dds_config.hpp"
 #include "dds_environment.hpp"
 #include "robot_end.hpp"
 #include "surefoot/dds_link.hpp"
+#include "surefoot/error.hpp"
 
 using namespace surefoot;
 
@@ -19,9 +21,11 @@ std::shared_ptr<DdsNetwork> network_of(const std::string& library) {
 
 // A link in one library finds a robot in another, and both exchange messages.
 void check_exchange(const std::string& link_library, const std::string& robot_library) {
-  const auto robot_network = network_of(robot_library);
-  RobotEnd robot(*robot_network);
   DdsLink link(network_of(link_library), DdsLinkOptions{});
+  // A DdsNetwork would refuse a domain that this process has joined.
+  const DdsParticipant participant(load_dds_library(robot_library, false), test_domain(),
+                                   dds_config(find_interface("lo")));
+  RobotEnd robot(participant);
   LowCmd command = init_low_cmd();
   command.motorCmd[0].tau = 2.0F;
   std::uint32_t tick = 0;
@@ -49,6 +53,15 @@ BOOST_AUTO_TEST_CASE(second_copy_of_the_library_in_the_process_does_no_harm) {
   std::filesystem::copy_file(path, copy);
   check_exchange(path, copy.string());
   std::filesystem::remove_all(folder);
+}
+
+BOOST_AUTO_TEST_CASE(domain_that_another_library_of_the_process_has_joined_is_refused,
+                     *boost::unit_test::precondition(has_system_libddsc)) {
+  const DdsParticipant participant(load_dds_library(kSystemLibrary, false), test_domain(),
+                                   dds_config(find_interface("lo")));
+  BOOST_CHECK_EXCEPTION(network_of(test_library()), Error, [](const Error& error) {
+    return std::string(error.what()).find("joined already with ") != std::string::npos;
+  });
 }
 
 BOOST_AUTO_TEST_CASE(version_of_the_system_and_that_under_test_exchange_messages_both_ways,

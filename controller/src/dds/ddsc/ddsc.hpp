@@ -13,7 +13,6 @@ namespace surefoot::ddsc {
 
 using Entity = std::int32_t;  ///< handle of an entity; negative: a return code
 using Return = std::int32_t;  ///< 0 or a count; negative: an error
-constexpr Return kPreconditionNotMet = -4;
 constexpr Return kTimeout = -10;
 
 /// Topics of the participants and endpoints that were discovered.

@@ -24,6 +24,10 @@ constexpr double kMinKd = 0.0625, kMaxKd = 50.0;
 constexpr double kMaxDiscoveryTime = 60.0;  // [s] chosen
 // Number of LowStates with tick 0 that show that the tick stands still. Chosen: 0.1 s at 500 Hz.
 constexpr std::uint64_t kStandingTicks = 50;
+// [s] Silence that take_news() reports. Equal to kRobotWatchdogTime. DDS itself notices a process
+// that has crashed only after 10 s.
+constexpr double kReportedSilence = 0.1;
+constexpr std::size_t kStateRule = 1;  // position of the rule of kStateTopic in link_rules()
 
 const DdsLinkOptions& checked(const DdsLinkOptions& options) {
   const auto check = [](const char* name, double got, double lower, double upper,
@@ -66,6 +70,7 @@ struct DdsLink::Impl {
   }
   bool process_sample(double time) noexcept;
   std::uint32_t tick_of(const LowState& state, double time) noexcept;
+  void add_silence(std::vector<std::string>& news);
 
   DdsLinkOptions options;
   std::shared_ptr<DdsNetwork> network;
@@ -82,7 +87,7 @@ struct DdsLink::Impl {
   double last_empty_time = 0.0;
   // Published for take_news(), which other threads call.
   std::atomic<bool> crc_missing{false}, tick_stands{false};
-  bool crc_reported = false, tick_reported = false;
+  bool crc_reported = false, tick_reported = false, silence_reported = false;
 };
 
 DdsLink::DdsLink(std::shared_ptr<DdsNetwork> network, const DdsLinkOptions& options)
@@ -149,9 +154,20 @@ FrameReport DdsLink::send(const LowCmd& cmd) noexcept {
 const LinkStatus& DdsLink::status() const noexcept { return impl_->intake.status; }
 const DdsCounts& DdsLink::dds_counts() const noexcept { return impl_->counts; }
 
+void DdsLink::Impl::add_silence(std::vector<std::string>& news) {
+  const double last_arrival = reader.last_arrival();
+  const bool silent = last_arrival > 0.0 && monotonic_time() - last_arrival > kReportedSilence;
+  if (silent == silence_reported) return;
+  silence_reported = silent;
+  const std::string robot = peers.owners(kStateRule);
+  news.push_back(silent ? "no LowState for " + to_text(kReportedSilence) + " s from " + robot
+                        : "LowStates are back from " + robot);
+}
+
 std::vector<std::string> DdsLink::take_news() {
   Impl& s = *impl_;
   std::vector<std::string> news = s.peers.take_news();
+  s.add_silence(news);
   if (s.crc_missing.load() && !s.crc_reported) {
     s.crc_reported = true;
     news.emplace_back("LowStates carry crc 0: their CRC is not checked");

@@ -88,19 +88,25 @@ void PeerWatch::report_changes(std::size_t rule, const std::vector<DiscoveredEnd
   for (const DiscoveredEndpoint& writer : writers) {
     if (writer.guid != rules_[rule].own) present[writer.guid] = writer.owner;
   }
-  std::vector<std::string> news;
   const std::string topic = rules_[rule].topic;
+  const std::lock_guard lock(mutex_);
+  const auto add = [this](std::string line) {
+    if (news_.size() < kMaxNews) news_.push_back(std::move(line));
+  };
   for (const auto& [guid, owner] : present) {
-    if (known_[rule].count(guid) == 0) news.push_back("writer of " + topic + " found: " + owner);
+    if (known_[rule].count(guid) == 0) add("writer of " + topic + " found: " + owner);
   }
   for (const auto& [guid, owner] : known_[rule]) {
-    if (present.count(guid) == 0) news.push_back("writer of " + topic + " has gone: " + owner);
+    if (present.count(guid) == 0) add("writer of " + topic + " has gone: " + owner);
   }
   known_[rule] = std::move(present);
+}
+
+std::string PeerWatch::owners(std::size_t rule) {
   const std::lock_guard lock(mutex_);
-  for (std::string& line : news) {
-    if (news_.size() < kMaxNews) news_.push_back(std::move(line));
-  }
+  std::string text;
+  for (const auto& [guid, owner] : known_[rule]) text += (text.empty() ? "" : ", ") + owner;
+  return text.empty() ? "none" : text;
 }
 
 std::vector<std::string> PeerWatch::take_news() {

@@ -36,6 +36,8 @@ class PeerWatch {
 
   /// Return whether a rule is broken at present. From any thread. Real-time: yes.
   bool conflict() const noexcept { return conflict_.load(); }
+  /// Return the processes that write the topic of a rule, "none" if there is none. From any thread.
+  std::string owners(std::size_t rule);
   /// Return sentences about writers that came or vanished since the last call. From any thread.
   std::vector<std::string> take_news();
 
@@ -48,11 +50,11 @@ class PeerWatch {
 
   DdsDiscovery discovery_;
   std::vector<WriterRule> rules_;
-  std::vector<std::map<ddsc::Guid, std::string>> known_;  // writers by rule, with their owners
   std::atomic<bool> conflict_{false};
   std::mutex mutex_;  // guards the members below
   std::condition_variable stopped_;
   bool stop_ = false;
+  std::vector<std::map<ddsc::Guid, std::string>> known_;  // writers by rule, with their owners
   std::vector<std::string> news_;
   std::thread thread_;
 };

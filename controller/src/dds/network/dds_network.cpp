@@ -3,7 +3,8 @@
 
 #include <cstdlib>
 
-#include "dds/network/interface_check.hpp"
+#include "dds/ddsc/loaded_libraries.hpp"
+#include "dds/network/dds_config.hpp"
 #include "dds/network/participant.hpp"
 #include "surefoot/error.hpp"
 
@@ -31,22 +32,16 @@ NetworkInterface allowed_interface(const DdsNetworkOptions& options) {
   return interface;
 }
 
-// Settings of Cyclone DDS. On a loopback interface without the flag MULTICAST some versions use
-// multicast and others do not, so peers must be found in both ways: multicast is set explicitly,
-// and the ports of up to kMaxProcesses processes on this machine are tried too.
-std::string config_for(const NetworkInterface& interface) {
-  constexpr const char* kMaxProcesses = "32";  // chosen; more than a robot and its programs have
-  std::string discovery;
-  if (interface.is_loopback) {
-    discovery =
-        std::string(
-            "<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>") +
-        kMaxProcesses +
-        "</MaxAutoParticipantIndex><Peers><Peer address=\"localhost\"/></Peers></Discovery>";
-  }
-  return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"" +
-         interface.name + "\" multicast=\"true\"/></Interfaces></General>" + discovery +
-         "</Domain></CycloneDDS>";
+// Refuse a domain that this process has joined, even with another libddsc: the program that joined
+// it may not expect a second participant.
+const NetworkInterface& in_new_domain(const NetworkInterface& interface, int domain) {
+  const std::string library = library_in_domain(domain);
+  if (library.empty()) return interface;
+  throw Error(
+      "DDS domain " + std::to_string(domain) +
+      ": got a domain that this process has joined already with " + library +
+      ", as rclpy or cyclonedds do; expected a new one; join it in a process of its own, or "
+      "use another domain");
 }
 
 }  // namespace
@@ -56,7 +51,7 @@ struct DdsNetwork::Impl {
       : options(checked(o)),
         interface(allowed_interface(o)),
         participant(load_dds_library(o.library, o.untested_library), o.domain,
-                    config_for(interface)) {
+                    dds_config(in_new_domain(interface, o.domain))) {
     const DdsLibrary& library = participant.library();
     notices.push_back("DDS domain " + std::to_string(o.domain) + " on " + o.interface +
                       ", libddsc " + library.version + " (" + library.path + ")");

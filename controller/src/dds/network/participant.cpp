@@ -11,11 +11,6 @@ DdsEntity create_domain(const ddsc::Functions& functions, int domain, const std:
   const ddsc::Entity created =
       functions.create_domain(static_cast<std::uint32_t>(domain), config.c_str());
   const std::string what = "DDS domain " + std::to_string(domain);
-  if (created == ddsc::kPreconditionNotMet) {
-    throw Error(what +
-                ": got a domain that this process has joined already, as rclpy or cyclonedds do; "
-                "expected a new one; join it in a process of its own, or use another domain");
-  }
   return DdsEntity(functions, created, what);
 }
 

@@ -36,7 +36,7 @@ class DdsEntity {
 class DdsParticipant {
  public:
   /// Create the domain and its participant. Throws surefoot::Error if libddsc is missing or
-  /// untested, or if this process is already in the domain.
+  /// untested, or if it is already in the domain.
   /// @param config settings of Cyclone DDS, XML
   DdsParticipant(DdsLibrary library, int domain, const std::string& config);
 
