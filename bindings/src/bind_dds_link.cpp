@@ -27,6 +27,9 @@ void bind_counts(nb::module_& m) {
               "Commands replaced by damping because of RobotLink.conflict.")
       .def_ro("without_crc", &DdsCounts::without_crc,
               "Valid LowStates whose crc was 0, so no CRC was checked.")
+      .def_ro("without_head", &DdsCounts::without_head,
+              "Valid LowStates without a head, whose motors are taken for being in servo\n"
+              "mode.")
       .def_ro("without_tick", &DdsCounts::without_tick, "Valid LowStates whose tick was 0.");
 }
 

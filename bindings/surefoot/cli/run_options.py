@@ -116,6 +116,7 @@ def _add_start_group(parser: argparse.ArgumentParser) -> None:
     add(
         "--real-robot",
         action="store_true",
-        help="with --rise: --host may be another machine, --interface one that leads to it. This software has not been run on "
+        help="with --rise: --host may be another machine, and --interface may lead to one. This "
+        "software has not been run on "
         "hardware: read docs/first-day.md, hang the robot up, be ready to switch it off",
     )

@@ -120,8 +120,5 @@ class DdsRobotLink:
 
     def _set_sport_mode(self, mode: str) -> None:
         self._port.set_sport_service(bool(mode))
-        self._news.append(
-            f"motion switcher: mode '{mode}'"
-            if mode
-            else "motion switcher: no mode, low level free"
-        )
+        text = f"mode '{mode}'" if mode else "no mode, the low level is free"
+        self._news.append(f"motion switcher: {text}")

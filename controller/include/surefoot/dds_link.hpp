@@ -32,9 +32,11 @@ struct DdsLinkOptions {
 
 /// Counts of a DdsLink beyond LinkCounts.
 struct DdsCounts {
-  std::uint64_t timeouts = 0;      ///< commands that a slow reliable reader blocked for 1 ms
-  std::uint64_t conflicts = 0;     ///< commands replaced by damping because of LinkStatus::conflict
-  std::uint64_t without_crc = 0;   ///< valid LowStates whose crc was 0, so no CRC was checked
+  std::uint64_t timeouts = 0;     ///< commands that a slow reliable reader blocked for 1 ms
+  std::uint64_t conflicts = 0;    ///< commands replaced by damping because of LinkStatus::conflict
+  std::uint64_t without_crc = 0;  ///< valid LowStates whose crc was 0, so no CRC was checked
+  /// valid LowStates without a head, whose motors are taken for being in servo mode
+  std::uint64_t without_head = 0;
   std::uint64_t without_tick = 0;  ///< valid LowStates whose tick was 0
 };
 

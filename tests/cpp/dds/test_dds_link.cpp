@@ -103,10 +103,10 @@ BOOST_FIXTURE_TEST_CASE(missing_crc_is_accepted_and_said, LinkFixture) {
 }
 
 BOOST_FIXTURE_TEST_CASE(tick_that_stands_at_0_is_said_with_the_remedy, LinkFixture) {
-  for (int k = 0; k < 60; ++k) robot.send_state(0);
-  pause(20);
-  BOOST_TEST(receive());
-  BOOST_TEST(!link.receive());
+  for (int k = 0; k < 60; ++k) {
+    robot.send_state(0);
+    if (k % 20 == 19) pause(20), link.receive();
+  }
   BOOST_TEST(link.counts().duplicate == 59U);
   BOOST_TEST(contains(all(link.take_news()), "--tick arrival"));
 }

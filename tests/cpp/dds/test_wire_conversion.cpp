@@ -138,6 +138,19 @@ BOOST_AUTO_TEST_CASE(hot_temperatures_saturate_and_bytes_from_200_on_are_negativ
   BOOST_TEST(int(read.motorState[1].temperature) == -10);
 }
 
+BOOST_AUTO_TEST_CASE(motors_of_a_state_without_a_head_are_taken_for_being_in_servo_mode) {
+  DdsLowState wire;
+  BOOST_REQUIRE(is_usable(to_dds(some_state(), DdsRobot::kGo2, wire).status));
+  wire.motor_state[5].mode = 0;
+  wire.crc = 0;
+  LowState read;
+  BOOST_REQUIRE(is_usable(from_dds(wire, DdsRobot::kGo2, CrcRule::kZeroIsAbsent, read).status));
+  BOOST_TEST(read.motorState[5].mode == kModeDamping);
+  wire.head[0] = wire.head[1] = 0;
+  BOOST_REQUIRE(is_usable(from_dds(wire, DdsRobot::kGo2, CrcRule::kZeroIsAbsent, read).status));
+  BOOST_TEST(read.motorState[5].mode == kModeServo);
+}
+
 BOOST_AUTO_TEST_CASE(state_without_a_crc_is_accepted_only_where_a_crc_is_optional) {
   DdsLowState wire;
   BOOST_REQUIRE(is_usable(to_dds(some_state(), DdsRobot::kGo2, wire).status));

@@ -86,8 +86,9 @@ struct DdsLink::Impl {
   // [s] Time of the last receive() that found no sample, on monotonic_time().
   double last_empty_time = 0.0;
   // Published for take_news(), which other threads call.
-  std::atomic<bool> crc_missing{false}, tick_stands{false};
-  bool crc_reported = false, tick_reported = false, silence_reported = false;
+  std::atomic<bool> crc_missing{false}, head_missing{false}, tick_stands{false};
+  bool crc_reported = false, head_reported = false, tick_reported = false;
+  bool silence_reported = false;
 };
 
 DdsLink::DdsLink(std::shared_ptr<DdsNetwork> network, const DdsLinkOptions& options)
@@ -124,8 +125,10 @@ bool DdsLink::Impl::process_sample(double time) noexcept {
     return false;
   }
   counts.without_crc += sample.crc == 0;
+  counts.without_head += !has_head(sample);
   counts.without_tick += sample.tick == 0;
   crc_missing.store(counts.without_crc > 0);
+  head_missing.store(counts.without_head > 0);
   tick_stands.store(counts.without_tick >= kStandingTicks);
   incoming.tick = tick_of(incoming, time);
   return intake.accept(incoming, time);
@@ -171,6 +174,10 @@ std::vector<std::string> DdsLink::take_news() {
   if (s.crc_missing.load() && !s.crc_reported) {
     s.crc_reported = true;
     news.emplace_back("LowStates carry crc 0: their CRC is not checked");
+  }
+  if (s.head_missing.load() && !s.head_reported) {
+    s.head_reported = true;
+    news.emplace_back("LowStates have no head, as from unitree_mujoco: servo mode is assumed");
   }
   if (s.tick_stands.load() && !s.tick_reported) {
     s.tick_reported = true;

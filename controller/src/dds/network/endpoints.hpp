@@ -33,7 +33,7 @@ class DdsWriter {
 /// Reader of a topic: best effort, the newest samples.
 class DdsReader {
  public:
-  static constexpr int kDepth = 64;  ///< number of samples that the reader keeps
+  static constexpr int kDepth = 32;  ///< number of samples that the reader keeps
 
   /// Create the reader. Throws surefoot::Error if libddsc cannot create it.
   DdsReader(const DdsParticipant& participant, const dds_topic_descriptor_t& type,

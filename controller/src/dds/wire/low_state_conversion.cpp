@@ -53,8 +53,10 @@ void write_imu(const IMU& from, DdsImuState& to) noexcept {
   to.temperature = byte_of(from.temperature);
 }
 
-void read_motor(const DdsMotorState& from, DdsRobot robot, MotorState& to) noexcept {
-  to.mode = from.mode == servo_mode(robot) ? kModeServo : from.mode;
+// @param knows_modes false: the sender does not fill the modes, so servo mode is assumed
+void read_motor(const DdsMotorState& from, DdsRobot robot, bool knows_modes,
+                MotorState& to) noexcept {
+  to.mode = from.mode == servo_mode(robot) || !knows_modes ? kModeServo : from.mode;
   to.q = from.q;
   to.dq = from.dq;
   to.ddq = from.ddq;
@@ -109,6 +111,8 @@ void write_battery(const BmsState& from, DdsBmsState& to) noexcept {
 
 }  // namespace
 
+bool has_head(const DdsLowState& wire) noexcept { return wire.head[0] != 0 || wire.head[1] != 0; }
+
 FrameReport from_dds(const DdsLowState& wire, DdsRobot robot, CrcRule crc, LowState& out) noexcept {
   FrameReport report = check_wire(wire, crc);
   check_floats(wire, report);
@@ -120,7 +124,7 @@ FrameReport from_dds(const DdsLowState& wire, DdsRobot robot, CrcRule crc, LowSt
   state.bandWidth = wire.bandwidth;
   read_imu(wire.imu_state, state.imu);
   for (int i = 0; i < kMotorSlots; ++i) {
-    read_motor(wire.motor_state[i], robot, state.motorState[i]);
+    read_motor(wire.motor_state[i], robot, has_head(wire), state.motorState[i]);
   }
   read_battery(wire.bms_state, state.bms);
   std::memcpy(state.footForce.data(), wire.foot_force, sizeof(wire.foot_force));

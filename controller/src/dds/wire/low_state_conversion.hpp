@@ -7,9 +7,14 @@
 
 namespace surefoot {
 
+/// Return whether a LowState has a head. unitree_mujoco leaves it 0, and does not fill the motor
+/// modes either. Real-time: yes.
+bool has_head(const DdsLowState& wire) noexcept;
+
 /// Convert a LowState from the DDS type. Real-time: yes.
 ///
-/// The servo mode of the robot becomes kModeServo; other motor modes keep their value. Temperatures
+/// The servo mode of the robot becomes kModeServo; other motor modes keep their value. Without a
+/// head all modes become kModeServo. Temperatures
 /// of 128 .. 199 deg C become 127, because the SDK's fields are signed; bytes from 200 on are
 /// negative temperatures. Of the battery cells the first 10 are kept. The result is kBlank,
 /// kWrongCrc or kNotFinite if the LowState is refused; `out` then keeps its old value.
