@@ -5,11 +5,11 @@
 
 namespace surefoot {
 
-bool StateIntake::accept(const LowState& incoming, double time) noexcept {
+bool StateIntake::accept(const LowState& incoming, double time, bool ticks_show_losses) noexcept {
   LinkCounts& counts = status.counts;
   ++counts.valid;
   const TickSequence::Arrival arrival = sequence_.classify(incoming.tick, time);
-  counts.lost = sequence_.lost();
+  if (ticks_show_losses) counts.lost = sequence_.lost();
   if (arrival == TickSequence::Arrival::kDuplicate) {
     ++counts.duplicate;
     return false;

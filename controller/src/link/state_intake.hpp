@@ -12,8 +12,10 @@ class StateIntake {
   /// Count a valid LowState, and store it if it is newer than the stored one or if the robot has
   /// restarted. Duplicate and reordered LowStates are only counted.
   /// @param time arrival time [s], on monotonic_time()
+  /// @param ticks_show_losses false: the tick was made from the arrival time, so its jitter is not
+  /// counted as lost LowStates
   /// @return true if the LowState was stored
-  bool accept(const LowState& incoming, double time) noexcept;
+  bool accept(const LowState& incoming, double time, bool ticks_show_losses = true) noexcept;
   /// Count and store the reason why a message was rejected.
   void reject(const FrameReport& report) noexcept;
 

@@ -69,7 +69,6 @@ struct DdsLink::Impl {
     std::memset(&sample, 0, sizeof(sample));
   }
   bool process_sample(double time) noexcept;
-  std::uint32_t tick_of(const LowState& state, double time) noexcept;
   void add_silence(std::vector<std::string>& news);
 
   DdsLinkOptions options;
@@ -130,13 +129,9 @@ bool DdsLink::Impl::process_sample(double time) noexcept {
   crc_missing.store(counts.without_crc > 0);
   head_missing.store(counts.without_head > 0);
   tick_stands.store(counts.without_tick >= kStandingTicks);
-  incoming.tick = tick_of(incoming, time);
-  return intake.accept(incoming, time);
-}
-
-std::uint32_t DdsLink::Impl::tick_of(const LowState& state, double time) noexcept {
-  const bool from_arrival = options.tick == TickSource::kArrival && state.tick == 0;
-  return from_arrival ? arrival_tick.next(time) : std::uint32_t(state.tick);
+  const bool tick_from_arrival = options.tick == TickSource::kArrival && incoming.tick == 0;
+  if (tick_from_arrival) incoming.tick = arrival_tick.next(time);
+  return intake.accept(incoming, time, !tick_from_arrival);
 }
 
 FrameReport DdsLink::send(const LowCmd& cmd) noexcept {
