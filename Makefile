@@ -71,7 +71,7 @@ docs: install .venv/.docs
 tests-cpp: install
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz \
-	  surefoot_dds_tests surefoot_dds_fuzz stall_tolerant_clock
+	  surefoot_dds_tests surefoot_dds_fuzz surefoot_dds_allocations stall_tolerant_clock
 	cd $(BUILD) && ctest --output-on-failure
 
 test: tests-cpp .venv/.browser .venv/.docs
