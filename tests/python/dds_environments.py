@@ -62,6 +62,24 @@ def peer_python(version: str) -> str:
     return str(python)
 
 
+def c_peer(folder: Path) -> Path:
+    """Return the compiled peer with Cyclone DDS 0.10.2 and type information, or skip the test."""
+    headers = Path("/usr/include/dds/dds.h")
+    if shutil.which("idlc") is None or shutil.which("gcc") is None or not headers.exists():
+        pytest.skip("no C peer of Cyclone DDS 0.10.2: apt install cyclonedds-dev cyclonedds-tools")
+    types = ROOT / "controller" / "src" / "dds" / "idl" / "unitree_go.idl"
+    program = folder / "dds_c_peer"
+    source = Path(__file__).with_name("dds_c_peer.c")
+    # idlc without -t: with type information.
+    subprocess.run(["idlc", str(types)], cwd=folder, check=True)
+    subprocess.run(
+        ["gcc", f"-I{folder}", str(source), "unitree_go.c", "-lddsc", "-o", str(program)],
+        cwd=folder,
+        check=True,
+    )
+    return program
+
+
 def library_path(version: str) -> str:
     """Return the libddsc of Surefoot in a version, or skip the test: 0.10.2 is that of Debian."""
     if version == "11.0.1":

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -12,7 +14,7 @@ from typing import Any
 
 import pytest
 import surefoot
-from dds_environments import library_path, new_domain, peer_python
+from dds_environments import ROOT, c_peer, library_path, new_domain, peer_python
 from surefoot import DdsLink, DdsNetwork, DdsRobotPort, LowCmd, LowState
 
 pytestmark = pytest.mark.real_time
@@ -108,6 +110,49 @@ def test_our_link_and_vendor_robot_exchange_messages(
     assert struct.unpack_from("<f", payload, 60 + 16) == (2.0,)  # kd of motor 1
     assert payload[740] == 0  # the battery is not switched off
     assert payload[804:] != bytes(4)  # crc
+
+
+MULTICAST = (
+    '<CycloneDDS><Domain><General><Interfaces><NetworkInterface name="lo" multicast="true"/>'
+    "</Interfaces></General></Domain></CycloneDDS>"
+)
+
+
+@pytest.mark.build
+@pytest.mark.parametrize("our_version", VERSIONS)
+def test_c_peer_with_type_information_stays_alive(our_version: str, tmp_path: Path) -> None:
+    domain = new_domain()
+    network = DdsNetwork("lo", domain, library=library_path(our_version))
+    port = DdsRobotPort(network, "go2", discovery_time=0.2)
+    peer = subprocess.Popen(
+        [c_peer(tmp_path), str(domain), "3"],
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "CYCLONEDDS_URI": MULTICAST},
+    )
+    state = LowState()
+    while peer.poll() is None:
+        state.tick += 2
+        port.send(state)
+        port.receive()
+        time.sleep(0.002)
+    assert peer.returncode == 0
+    assert int(peer.communicate()[0]) > 300
+    assert port.counts.wrong_crc > 300  # the peer computes none
+
+
+def test_committed_descriptors_are_the_output_of_idlc(tmp_path: Path) -> None:
+    if shutil.which("idlc") is None:
+        pytest.skip("no idlc: apt install cyclonedds-tools")
+    source = ROOT / "controller" / "src" / "dds"
+    for name in ("unitree_go", "unitree_api"):
+        subprocess.run(["idlc", "-t", source / "idl" / f"{name}.idl"], cwd=tmp_path, check=True)
+        for ending in (".c", ".h"):
+            made = (tmp_path / f"{name}{ending}").read_text().splitlines()
+            committed = (source / "generated" / f"{name}{ending}").read_text().splitlines()
+            assert [x for x in made if "Source:" not in x] == [
+                x for x in committed if "Source:" not in x
+            ]
 
 
 def test_peer_that_ends_is_told_by_name() -> None:
