@@ -5,7 +5,8 @@
 One process is the robot: it sends LowStates at the rate, and waits for the command that answers
 each of them. The other one answers every LowState at once through a DdsLink. Both poll every 20 us.
 Printed: the time from send() of the LowState to receive() of its command [ms], and how many were
-not answered within a period. On a machine with other load use real-time priority: chrt -f 50 python ...
+not answered within a period. On a machine with other load use real-time priority: chrt -f 50
+python benchmarks/dds_round_trip.py
 """
 
 from __future__ import annotations
@@ -36,7 +37,10 @@ def answer(library: str, stop: Event) -> None:
 def measure(
     port: surefoot.DdsRobotPort, state: surefoot.LowState, seconds: float, rate: float
 ) -> list[float]:
-    """Send LowStates with increasing ticks. Return the times of the round trips [ms]; infinity: not answered within a period."""
+    """Send LowStates with increasing ticks; return the times of the round trips [ms].
+
+    Infinity: not answered within a period.
+    """
     period, times = 1.0 / rate, []
     next_time = time.perf_counter()
     for _ in range(round(seconds * rate)):

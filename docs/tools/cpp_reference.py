@@ -64,7 +64,8 @@ def write_cpp_pages(folder: Path, with_doxygen: bool) -> None:
     headers = {path.stem for path in HEADERS.glob("*.hpp")} - {UMBRELLA}
     if grouped != headers:
         raise RuntimeError(f"cpp_reference.py: no group has, or no header is: {grouped ^ headers}")
-    index = ["# C++ API", "", f"`#include <surefoot/{UMBRELLA}.hpp>` includes all headers but dds_*.hpp.", ""]
+    include = f"`#include <surefoot/{UMBRELLA}.hpp>` includes all headers but dds_*.hpp."
+    index = ["# C++ API", "", include, ""]
     if not with_doxygen:
         index += ["Doxygen was not installed where this site was built. Read the headers in"]
         index += ["{source}`controller/include/surefoot`.", ""]
