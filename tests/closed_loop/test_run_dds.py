@@ -141,6 +141,19 @@ def test_second_robot_is_refused_by_the_name_of_the_first(domain: int) -> None:
     first.finish()
 
 
+def test_second_commander_is_refused_and_does_not_disturb_the_first(domain: int) -> None:
+    there = robot(domain, "--no-motion-switcher", "--duration", 20)
+    first = run(domain, "--no-motion-switcher", "--duration", 6)
+    first.wait_for("standing")
+    status, output = run(domain, "--no-motion-switcher").finish()
+    assert status == ERROR
+    assert f"rt/lowcmd: got 1 other writer(s) (process python (pid {first._process.pid})" in output
+    first_status, first_output = first.finish()
+    assert first_status == 0, first_output
+    there.kill()
+    there.finish()
+
+
 def test_missing_motion_switcher_is_an_error_of_a_simulation(domain: int) -> None:
     status, output = run(domain).finish()
     assert status == ERROR

@@ -46,13 +46,10 @@ const DdsNetwork& not_null(const std::shared_ptr<DdsNetwork>& network) {
   return *network;
 }
 
-std::vector<WriterRule> link_rules(const ddsc::Guid& own_writer) {
-  return {{kCommandTopic, unitree_go_msg_dds__LowCmd__desc.m_typename, 0, own_writer,
+std::vector<WriterRule> link_rules() {
+  return {{kCommandTopic, unitree_go_msg_dds__LowCmd__desc.m_typename, 0,
            "end the other program, or release the sport service, so that only one commands"},
-          {kStateTopic,
-           unitree_go_msg_dds__LowState__desc.m_typename,
-           1,
-           {},
+          {kStateTopic, unitree_go_msg_dds__LowState__desc.m_typename, 1,
            "end one of the robots, or choose another domain or interface"}};
 }
 
@@ -63,8 +60,9 @@ struct DdsLink::Impl {
       : options(checked(o)),
         network(std::move(n)),
         reader(not_null(network).participant(), unitree_go_msg_dds__LowState__desc, kStateTopic),
-        writer(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
-        peers(network->participant(), link_rules(writer.guid()), o.discovery_time) {
+        peers(network->participant(), link_rules(), o.discovery_time),
+        writer(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic) {
+    peers.start(writer.guid());
     to_dds(damping_low_cmd(o.damping_kd), o.robot, o.damping_kd, damping);
     std::memset(&sample, 0, sizeof(sample));
   }
@@ -74,8 +72,8 @@ struct DdsLink::Impl {
   DdsLinkOptions options;
   std::shared_ptr<DdsNetwork> network;
   DdsReader reader;
-  DdsWriter writer;
   PeerWatch peers;
+  DdsWriter writer;
   DdsLowCmd command, damping;
   DdsLowState sample;
   LowState incoming = init_low_state();

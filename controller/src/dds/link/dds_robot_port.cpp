@@ -21,14 +21,11 @@ const DdsNetwork& not_null(const std::shared_ptr<DdsNetwork>& network) {
   return *network;
 }
 
-std::vector<WriterRule> robot_rules(const ddsc::Guid& own_writer) {
-  return {{kStateTopic, unitree_go_msg_dds__LowState__desc.m_typename, 0, own_writer,
+std::vector<WriterRule> robot_rules() {
+  return {{kStateTopic, unitree_go_msg_dds__LowState__desc.m_typename, 0,
            "end the other robot, or choose another domain or interface"},
-          {kCommandTopic,
-           unitree_go_msg_dds__LowCmd__desc.m_typename,
-           std::numeric_limits<std::size_t>::max(),
-           {},
-           ""}};
+          {kCommandTopic, unitree_go_msg_dds__LowCmd__desc.m_typename,
+           std::numeric_limits<std::size_t>::max(), ""}};
 }
 
 bool all_in_servo_mode(const LowCmd& cmd) noexcept {
@@ -44,9 +41,10 @@ struct DdsRobotPort::Impl {
   Impl(std::shared_ptr<DdsNetwork> n, DdsRobot r, double discovery_time)
       : robot(r),
         network(std::move(n)),
-        writer(not_null(network).participant(), unitree_go_msg_dds__LowState__desc, kStateTopic),
-        reader(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
-        peers(network->participant(), robot_rules(writer.guid()), discovery_time) {
+        reader(not_null(network).participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
+        peers(network->participant(), robot_rules(), discovery_time),
+        writer(network->participant(), unitree_go_msg_dds__LowState__desc, kStateTopic) {
+    peers.start(writer.guid());
     std::memset(&command, 0, sizeof(command));
     std::memset(&last_command, 0, sizeof(last_command));
   }
@@ -54,9 +52,9 @@ struct DdsRobotPort::Impl {
 
   DdsRobot robot;
   std::shared_ptr<DdsNetwork> network;
-  DdsWriter writer;
   DdsReader reader;
   PeerWatch peers;
+  DdsWriter writer;
   std::optional<DdsWriter> sport_service;
   DdsLowCmd command, last_command;
   DdsLowState state;

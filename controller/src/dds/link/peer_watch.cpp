@@ -21,6 +21,10 @@ PeerWatch::PeerWatch(const DdsParticipant& participant, std::vector<WriterRule> 
                      double discovery_time)
     : discovery_(participant), rules_(std::move(rules)), known_(rules_.size()) {
   check_at_start(discovery_time);
+}
+
+void PeerWatch::start(const ddsc::Guid& own) {
+  own_ = own;
   thread_ = std::thread([this] { run(); });
 }
 
@@ -30,7 +34,7 @@ PeerWatch::~PeerWatch() {
     stop_ = true;
   }
   stopped_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 // Wait for the whole time even if no rule is broken: more peers may be discovered. Other writers
@@ -70,7 +74,7 @@ std::string PeerWatch::problem_of(const WriterRule& rule,
   std::size_t others = 0;
   std::string owners;
   for (const DiscoveredEndpoint& writer : writers) {
-    if (writer.guid == rule.own) continue;
+    if (writer.guid == own_) continue;
     if (writer.type != rule.type) {
       return std::string(rule.topic) + ": got a writer of type " + writer.type + " (" +
              writer.owner + "), expected " + rule.type +
@@ -86,7 +90,7 @@ std::string PeerWatch::problem_of(const WriterRule& rule,
 void PeerWatch::report_changes(std::size_t rule, const std::vector<DiscoveredEndpoint>& writers) {
   std::map<ddsc::Guid, std::string> present;
   for (const DiscoveredEndpoint& writer : writers) {
-    if (writer.guid != rules_[rule].own) present[writer.guid] = writer.owner;
+    if (writer.guid != own_) present[writer.guid] = writer.owner;
   }
   const std::string topic = rules_[rule].topic;
   const std::lock_guard lock(mutex_);

@@ -16,8 +16,7 @@ namespace surefoot {
 struct WriterRule {
   const char* topic;
   const char* type;         ///< name of the only right type
-  std::size_t max_writers;  ///< most writers of this type that are not `own`
-  ddsc::Guid own;           ///< writer of this program; all zero: none
+  std::size_t max_writers;  ///< most writers of this type, without that of this program
   /// What to do about too many writers, the end of a sentence.
   const char* remedy;
 };
@@ -25,8 +24,9 @@ struct WriterRule {
 /// Watches the writers of some topics in a thread of its own.
 class PeerWatch {
  public:
-  /// Wait for peers to be discovered, check them, and start the thread. Throws surefoot::Error if a
-  /// writer has another type, or if there are too many writers.
+  /// Wait for peers to be discovered, and check them. Throws surefoot::Error if a writer has
+  /// another type, or if there are too many writers. The program creates its own writer afterwards,
+  /// so that a refused program does not disturb the others.
   /// @param discovery_time [s]
   PeerWatch(const DdsParticipant& participant, std::vector<WriterRule> rules,
             double discovery_time);
@@ -34,6 +34,8 @@ class PeerWatch {
   PeerWatch(const PeerWatch&) = delete;
   PeerWatch& operator=(const PeerWatch&) = delete;
 
+  /// Start the thread. @param own writer of this program, which no rule counts
+  void start(const ddsc::Guid& own);
   /// Return whether a rule is broken at present. From any thread. Real-time: yes.
   bool conflict() const noexcept { return conflict_.load(); }
   /// Return the processes that write the topic of a rule, "none" if there is none. From any thread.
@@ -50,6 +52,7 @@ class PeerWatch {
 
   DdsDiscovery discovery_;
   std::vector<WriterRule> rules_;
+  ddsc::Guid own_{};  // writer of this program; all zero: none yet
   std::atomic<bool> conflict_{false};
   std::mutex mutex_;  // guards the members below
   std::condition_variable stopped_;
