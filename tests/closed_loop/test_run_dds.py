@@ -154,6 +154,24 @@ def test_second_commander_is_refused_and_does_not_disturb_the_first(domain: int)
     there.finish()
 
 
+def test_run_damps_when_the_sport_service_begins_again(domain: int) -> None:
+    there = robot(domain)
+    here = run(domain, "--duration", 6)
+    here.wait_for("standing")
+    program = (
+        "import surefoot\n"
+        "from surefoot.motion_switcher import MotionSwitcher\n"
+        f"MotionSwitcher(surefoot.DdsNetwork('lo', {domain})).select_mode('normal')\n"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True, timeout=30)
+    status, output = here.finish()
+    assert status == 3
+    assert "damping: conflict: another program commands the robot" in output
+    assert "writer of rt/lowcmd found: process python" in output
+    there.kill()
+    there.finish()
+
+
 def test_missing_motion_switcher_is_an_error_of_a_simulation(domain: int) -> None:
     status, output = run(domain).finish()
     assert status == ERROR

@@ -41,7 +41,8 @@ class DdsServiceClient {
 
   /// Wait for a server; return whether one has been discovered. @param timeout [s]
   bool wait_for_server(double timeout);
-  /// Send a request and wait for its reply.
+  /// Send a request and wait for its reply. The request is sent again every 0.5 s, with the same
+  /// id, so a server may answer it more than once.
   /// @param timeout longest wait [s]
   ServiceReply call(std::int64_t api_id, const std::string& parameter, double timeout);
 

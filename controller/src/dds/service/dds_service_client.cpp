@@ -12,6 +12,9 @@ namespace surefoot {
 namespace {
 
 constexpr auto kPollPeriod = std::chrono::milliseconds(2);  // chosen; a person waits anyway
+// [s] Time after which a request is sent again. The first one is lost if the server has not
+// discovered this client yet. Chosen: longer than a server needs to answer.
+constexpr double kRepeatTime = 0.5;
 
 // Call done() until it returns true, for at most `timeout` [s]; return whether it did.
 template <typename Done>
@@ -65,9 +68,13 @@ ServiceReply DdsServiceClient::call(std::int64_t api_id, const std::string& para
   DdsRequest request{};
   request.header.identity = {id, api_id};
   request.parameter = text.data();
-  s.writer.write(&request);
   ServiceReply reply{kServiceTimeout, ""};
+  double send_time = monotonic_time();
   poll_until(timeout - (monotonic_time() - start), [&] {
+    if (monotonic_time() >= send_time) {
+      s.writer.write(&request);
+      send_time += kRepeatTime;
+    }
     bool answered = false;
     const auto read = [&](const DdsResponse& response) {
       const auto& identity = response.header.identity;
