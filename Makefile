@@ -85,7 +85,7 @@ tests-cpp: install
 	  surefoot_dds_tests surefoot_dds_fuzz surefoot_dds_allocations stall_tolerant_clock
 	cd $(BUILD) && ctest --output-on-failure
 
-test: tests-cpp .venv/.browser .venv/.docs .venv/.dds
+test: .venv/.dds tests-cpp .venv/.browser .venv/.docs
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not real_time"; status=$$?; \
 	  $(STALL_TOLERANT) $(BIN)/python -m pytest -m real_time && exit $$status
 

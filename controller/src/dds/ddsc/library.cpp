@@ -19,8 +19,8 @@ constexpr const char* kRemedy =
     "install it with pip install 'surefoot[dds]' (no wheel for aarch64: apt install "
     "libddsc0debian, or ROS), or name its file";
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kFlags = RTLD_NOW | RTLD_LOCAL;  // AddressSanitizer refuses RTLD_DEEPBIND
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kFlags = RTLD_NOW | RTLD_LOCAL;  // sanitizers refuse RTLD_DEEPBIND
 #else
 // RTLD_DEEPBIND: the library uses its own functions, even if another libddsc has global symbols.
 constexpr int kFlags = RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND;
