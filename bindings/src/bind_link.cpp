@@ -12,13 +12,15 @@ using namespace surefoot;
 namespace {
 
 void bind_counts(nb::module_& m) {
-  ValueClass<LinkCounts>(m, "LinkCounts",
-                         "Counts of frames sent and datagrams received since the link was opened.")
-      .def_ro("sent", &LinkCounts::sent, "Frames sent, damping included.")
-      .def_ro("send_failed", &LinkCounts::send_failed, "Frames that the system did not accept.")
+  ValueClass<LinkCounts>(
+      m, "LinkCounts",
+      "Counts of commands sent and messages received since the link was opened.\n\n"
+      "A message is a datagram (UDP) or a sample (DDS).")
+      .def_ro("sent", &LinkCounts::sent, "Commands sent, damping included.")
+      .def_ro("send_failed", &LinkCounts::send_failed, "Commands that the system did not accept.")
       .def_ro("refused", &LinkCounts::refused,
               "Commands that were not finite; damping was sent instead.")
-      .def_ro("received", &LinkCounts::received, "Datagrams from the peer, valid or not.")
+      .def_ro("received", &LinkCounts::received, "Messages from the peer, valid or not.")
       .def_ro("valid", &LinkCounts::valid, "Valid LowStates of the expected generation.")
       .def_ro("lost", &LinkCounts::lost,
               "LowStates that are missing in the tick sequence, long gaps included.")
@@ -32,17 +34,59 @@ void bind_counts(nb::module_& m) {
               "A restart is counted after five consecutive LowStates whose ticks increase but\n"
               "are all older than the newest tick.")
       .def_ro("corrupt", &LinkCounts::corrupt,
-              "Datagrams with the right length but no valid frame in them.")
-      .def_ro("wrong_generation", &LinkCounts::wrong_generation, "Frames of another generation.")
+              "Messages with the right length but no valid LowState.")
+      .def_ro("wrong_generation", &LinkCounts::wrong_generation,
+              "Frames of another generation; UDP only.")
       .def_ro("wrong_length", &LinkCounts::wrong_length,
-              "Datagrams whose length fits no generation.")
-      .def_ro("strangers", &LinkCounts::strangers, "Datagrams from other senders than the peer.")
+              "Datagrams whose length fits no generation; UDP only.")
+      .def_ro("strangers", &LinkCounts::strangers,
+              "Datagrams from other senders than the peer;\n"
+              "UDP only.")
       .def_ro("floods", &LinkCounts::floods,
-              "Calls of receive() that read the maximum number of datagrams, 64.");
+              "Calls of receive() that read the maximum number of messages.");
+}
+
+void bind_robot_link(nb::module_& m) {
+  nb::class_<RobotLink>(
+      m, "RobotLink",
+      "Link to a robot: sends LowCmds and receives LowStates. UdpLink and DdsLink are\n"
+      "such links.\n\n"
+      "Until a valid LowState has arrived, only damping is sent, whatever command is\n"
+      "given. Not thread-safe.")
+      .def("receive", &RobotLink::receive,
+           "Read the waiting messages and keep the newest valid LowState.\n\n"
+           "Never blocks. Real-time: yes.\n\n"
+           "Returns:\n"
+           "    True if a newer LowState has arrived; see state_age for its age.")
+      .def(
+          "send", [](RobotLink& link, const LowCmd& cmd) { return to_text(link.send(cmd)); },
+          "cmd"_a,
+          "Send a command. Until has_state is True, or if the command is not finite,\n"
+          "damping is sent instead.\n\n"
+          "Real-time: yes.\n\n"
+          "Returns:\n"
+          "    'ok', or a sentence about the fields that were saturated or not finite.")
+      .def_prop_ro("has_state", &RobotLink::has_state, "True once a valid LowState has arrived.")
+      .def_prop_ro(
+          "state", [](const RobotLink& link) { return LowState(link.state()); },
+          "Newest LowState, a copy.")
+      .def_prop_ro("state_age", &RobotLink::state_age,
+                   "Time since the newest LowState arrived [s]; inf before the first LowState.")
+      .def_prop_ro(
+          "counts", [](const RobotLink& link) { return LinkCounts(link.counts()); },
+          "Counts since the link was opened, a copy.")
+      .def_prop_ro(
+          "last_reject", [](const RobotLink& link) { return to_text(link.last_reject()); },
+          "Reason why the last invalid message was rejected, a sentence.")
+      .def_prop_ro(
+          "conflict", [](const RobotLink& link) { return link.status().conflict; },
+          "True while another program commands the robot, or a second robot sends\n"
+          "LowStates.\n\n"
+          "The link then sends only damping. Only a DDS link detects this.");
 }
 
 void bind_udp_link(nb::module_& m) {
-  nb::class_<UdpLink>(
+  nb::class_<UdpLink, RobotLink>(
       m, "UdpLink",
       "UDP client for a virtual robot on this machine: sends LowCmd frames and receives\n"
       "LowState frames.\n\n"
@@ -71,30 +115,6 @@ void bind_udp_link(nb::module_& m) {
           "    Error: The host or the generation is unknown, the host is not a loopback\n"
           "        address, a port is out of range, in use or not permitted, or damping_kd\n"
           "        is out of range.")
-      .def("receive", &UdpLink::receive,
-           "Read the waiting datagrams, at most 64, and keep the newest valid LowState.\n\n"
-           "Never blocks. Real-time: yes.\n\n"
-           "Returns:\n"
-           "    True if a newer LowState has arrived; see state_age for its age.")
-      .def(
-          "send", [](UdpLink& link, const LowCmd& cmd) { return to_text(link.send(cmd)); }, "cmd"_a,
-          "Send a command. Until has_state is True, or if the command is not finite, a\n"
-          "damping frame is sent instead.\n\n"
-          "Never blocks. Real-time: yes.\n\n"
-          "Returns:\n"
-          "    'ok', or a sentence about the fields that were saturated or not finite.")
-      .def_prop_ro("has_state", &UdpLink::has_state, "True once a valid LowState has arrived.")
-      .def_prop_ro(
-          "state", [](const UdpLink& link) { return LowState(link.state()); },
-          "Newest LowState, a copy.")
-      .def_prop_ro("state_age", &UdpLink::state_age,
-                   "Time since the newest LowState arrived [s]; inf before the first LowState.")
-      .def_prop_ro(
-          "counts", [](const UdpLink& link) { return LinkCounts(link.counts()); },
-          "Counts since the link was opened, a copy.")
-      .def_prop_ro(
-          "last_reject", [](const UdpLink& link) { return to_text(link.last_reject()); },
-          "Reason why the last invalid datagram was rejected, a sentence.")
       .def_prop_ro("local_port", &UdpLink::local_port, "Local UDP port.");
 }
 
@@ -102,5 +122,6 @@ void bind_udp_link(nb::module_& m) {
 
 void bind_link(nb::module_& m) {
   bind_counts(m);
+  bind_robot_link(m);
   bind_udp_link(m);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 
 #include <chrono>
@@ -247,7 +248,7 @@ void bind_runner(nb::module_& m) {
               "Length of the history that log() returns [s], 0 .. 600. One tick takes 1.7 kB.");
   nb::class_<Runner>(
       m, "Runner",
-      "Loop that runs a Supervisor over UDP at a fixed rate.\n\n"
+      "Loop that runs a Supervisor over a link at a fixed rate.\n\n"
       "With RunOptions.start STANDING, the runner takes over a standing robot with its\n"
       "first valid LowState. With LYING, arm() and request() arm the robot and let it\n"
       "rise and sit down. Deadlines are absolute; SCHED_FIFO and locked memory are used\n"
@@ -288,6 +289,28 @@ void bind_runner(nb::module_& m) {
           "        the host or the generation is unknown, the host is not a loopback\n"
           "        address and real_robot is False, or a port is out of range, in use or\n"
           "        not permitted.")
+      .def(
+          "__init__",
+          [](Runner* self, const Robot& robot, const std::shared_ptr<RobotLink>& link,
+             const Gains* gains, const ControllerOptions& stand, const RunOptions& options,
+             bool real_robot) {
+            new (self) Runner(robot, gains ? *gains : robot.config().gains, stand, link, options,
+                              real_robot);
+          },
+          "robot"_a, "link"_a, "gains"_a = nb::none(), "stand"_a = ControllerOptions(),
+          "options"_a = RunOptions(), "real_robot"_a = false,
+          "Use an open link, such as a DdsLink; run() starts the loop.\n\n"
+          "Do not use the link until run() has ended.\n\n"
+          "Args:\n"
+          "    robot: Model and configuration, twelve joints on a free base.\n"
+          "    link: Open link to the robot.\n"
+          "    gains: Gains to use; None: robot.config.gains.\n"
+          "    stand: Options of the StandController.\n"
+          "    options: Options of the loop.\n"
+          "    real_robot: True if the link leads to a real robot; options.start must then\n"
+          "        be LYING.\n\n"
+          "Raises:\n"
+          "    Error: An option or a gain is invalid, or a real robot is not started LYING.")
       .def("run", &run_and_handle_signals,
            "Run the loop.\n\n"
            "The loop ends after stop() or finish(), when the duration is over, if no valid\n"
@@ -336,7 +359,7 @@ void bind_runner(nb::module_& m) {
       .def_prop_ro("real_time", &Runner::real_time,
                    "Description of the scheduling and memory locking that run() got; empty\n"
                    "before run().")
-      .def_prop_ro("local_port", &Runner::local_port, "Local UDP port.");
+      .def_prop_ro("local_port", &Runner::local_port, "Local UDP port; 0: the link is no UdpLink.");
 }
 
 }  // namespace

@@ -30,6 +30,10 @@ NB_MODULE(_core, m) {
   bind_stand(m);
   bind_walk(m);
   bind_link(m);
+  bind_dds_network(m);
+  bind_dds_link(m);
+  bind_dds_robot_port(m);
+  bind_dds_service(m);
   bind_safety(m);
   bind_supervisor(m);
   bind_run_log(m);

@@ -31,11 +31,15 @@ CORE_GROUPS = {
     "Safety and faults": (
         "Safety ArmingCheck ArmingReport FaultId FaultInfo FaultReaction FaultReport fault_table"
     ),
-    "Link": "UdpLink LinkCounts",
+    "Link": (
+        "RobotLink UdpLink LinkCounts DdsNetwork DdsLink DdsCounts DdsRobotPort RobotPortCounts "
+        "DdsServiceClient DdsServiceServer ServiceRequest"
+    ),
     "Errors": "Error",
 }
 MODULES = {
     "surefoot.sim": "Simulated robot: MuJoCo, sensors with errors, motors, pushes.",
+    "surefoot.motion_switcher": "Motion switcher of Go2 and B2, over DDS.",
     "surefoot.protocol": "Frames of the SDK's UDP protocol.",
     "surefoot.replay": "Record a controller's calls; replay them.",
     "surefoot.symbolic": "CasADi functions of a robot's dynamics (extra ``tune``).",
@@ -44,7 +48,7 @@ MODULES = {
     "surefoot.estimate": "The state estimator on sensor logs.",
     "surefoot.assess": "Scorecards of standing controllers.",
     "surefoot.faults": "Fault injection.",
-    "surefoot.virtual_robot": "A simulated robot that SDK programs control over UDP.",
+    "surefoot.virtual_robot": "A simulated robot that SDK programs control over UDP or DDS.",
     "surefoot.bench": "Timing of the tick and of QP solvers.",
 }
 

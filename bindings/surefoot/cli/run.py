@@ -1,4 +1,4 @@
-"""surefoot run: runs the stand controller on a robot over UDP, with the SDK's frames."""
+"""surefoot run: runs the supervisor on a robot, over UDP or DDS."""
 
 from __future__ import annotations
 
@@ -10,12 +10,15 @@ from collections.abc import Callable
 from surefoot._core import (
     ControllerOptions,
     Error,
+    Mode,
     Robot,
     RunLog,
     Runner,
     RunOptions,
     Start,
 )
+from surefoot.cli.dds_options import DDS_ROBOTS, default_robot
+from surefoot.cli.dds_run import DdsSession
 from surefoot.cli.output_files import check_json_path, write_json
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.run_log import LOG_TIME, check_log, write_run_log
@@ -24,6 +27,7 @@ from surefoot.cli.run_operator import key_help
 from surefoot.cli.run_text import closing_text, lying_text, no_robot_text, run_summary
 from surefoot.cli.simulation_arguments import read_form, read_gains
 from surefoot.protocol import default_generation
+from surefoot.robot.description import RobotDescription
 from surefoot.robot.loading import build_robot
 from surefoot.system.terminal import LinePrinter, has_keyboard
 
@@ -44,21 +48,25 @@ def run(arguments: argparse.Namespace) -> int:
     check_json_path(arguments.json)
     check_log(arguments.log, arguments.log_time)
     _check_operator(arguments)
-    runner, robot, generation = _make_runner(arguments)
     print_line = LinePrinter(sys.stderr if arguments.json == "-" else sys.stdout)
+    session = _open_session(arguments, print_line)
+    runner, robot, generation = _make_runner(arguments, session)
+    where = _where(arguments)
     print_line(
-        f"{arguments.host}:{arguments.port} from port {runner.local_port}, {generation}, "
+        f"{where}{'' if session else f' from port {runner.local_port}'}, {generation}, "
         f"{arguments.rate:g} Hz, power level {arguments.power_level}; {key_help(arguments.rise)}; "
         "Ctrl-C "
         + ("sits down and ends, twice damps at once" if arguments.rise else "damps and ends")
     )
-    end = supervise(runner, robot, print_line, arguments.rise, arguments.yes)
+    take_news = session.link.take_news if session else None
+    end = supervise(runner, robot, print_line, arguments.rise, arguments.yes, take_news)
+    if session:
+        session.end(lies=end.mode == Mode.PASSIVE)
     result = run_summary(end, robot, generation, runner.real_time)
     write_json(arguments.json, result)
     print_line(closing_text(result))
     if arguments.log is not None:
         _write_log(arguments.log, runner.log(), print_line)
-    where = f"{arguments.host}:{arguments.port}"
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
         return NO_ROBOT
@@ -102,9 +110,40 @@ def _check_operator(arguments: argparse.Namespace) -> None:
         )
 
 
-def _make_runner(arguments: argparse.Namespace) -> tuple[Runner, Robot, str]:
-    description = chosen_robot(arguments, default="go1")
+def _where(arguments: argparse.Namespace) -> str:
+    """Return the address of the robot as text."""
+    if arguments.sdk in DDS_ROBOTS:
+        return f"rt/lowstate on {arguments.interface}"
+    return f"{arguments.host}:{arguments.port}"
+
+
+def _open_session(
+    arguments: argparse.Namespace, print_line: Callable[[str], None]
+) -> DdsSession | None:
+    """Return the network and the link to a robot that speaks DDS; None: the robot speaks UDP."""
+    if arguments.sdk not in DDS_ROBOTS:
+        return None
+    description = _description(arguments)
+    gains = read_gains(arguments.gains, description) or build_robot(description).config.gains
+    return DdsSession(arguments, gains.damping_kd, print_line)
+
+
+def _description(arguments: argparse.Namespace) -> RobotDescription:
+    description = chosen_robot(arguments, default=default_robot(arguments.sdk))
     assert description is not None  # not None, because a default robot is given
+    name = str(description.table["robot"]["name"])
+    if arguments.sdk in DDS_ROBOTS and name in DDS_ROBOTS and name != arguments.sdk:
+        raise Error(
+            f"--sdk: got {arguments.sdk} with robot {name}, expected {name}: their motors have "
+            "different servo modes"
+        )
+    return description
+
+
+def _make_runner(
+    arguments: argparse.Namespace, session: DdsSession | None
+) -> tuple[Runner, Robot, str]:
+    description = _description(arguments)
     robot = build_robot(description)
     generation = arguments.sdk or default_generation(robot.name)
     if not 0.0 <= arguments.predict_ms <= 50.0:
@@ -125,13 +164,17 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[Runner, Robot, str]:
     )
     if arguments.power_limit is not None:
         stand.power_limit = arguments.power_limit
+    gains = read_gains(arguments.gains, description)
+    if session:
+        runner = Runner(robot, session.link, gains, stand, options, arguments.real_robot)
+        return runner, robot, generation
     runner = Runner(
         robot,
         arguments.host,
         arguments.port,
         generation,
         arguments.local_port,
-        read_gains(arguments.gains, description),
+        gains,
         stand,
         options,
         arguments.real_robot,

@@ -30,6 +30,7 @@ def supervise(
     print_line: Callable[[str], None],
     rise: bool = False,
     automatic: bool = False,
+    take_news: Callable[[], list[str]] | None = None,
 ) -> RunSnapshot:
     """Run the control loop in its own thread; poll loop, keyboard and signals from this thread.
 
@@ -42,6 +43,7 @@ def supervise(
         print_line: Called with each line for the operator.
         rise: Whether the robot starts lying. If true, failing arming checks are printed.
         automatic: Whether to arm and rise once, as soon as all checks pass, without a key press.
+        take_news: Returns news about the link since its last call, as sentences; None: no news.
 
     Returns:
         The last snapshot of the runner.
@@ -64,6 +66,8 @@ def supervise(
             snapshot = runner.snapshot()
             if automatic_rise:
                 automatic_rise.update(snapshot)
+            for news in take_news() if take_news else ():
+                print_line(f"{snapshot.time:7.2f} s {news}")
             due = monitor.update(snapshot)
             if arming_monitor and snapshot.time > 0.0:
                 arming_monitor.update(snapshot, due)

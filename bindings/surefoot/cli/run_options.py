@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from surefoot.cli.dds_run import add_dds_run_options
 from surefoot.cli.robot_choice import add_robot_options
 from surefoot.cli.simulation_options import add_form_option
 
@@ -23,7 +24,11 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
     add("--host", default="127.0.0.1", metavar="ADDRESS", help="address of the robot (127.0.0.1)")
     add("--port", type=int, default=8007, metavar="N", help="UDP port of the robot (8007)")
     add("--local-port", type=int, default=0, metavar="N", help="UDP port of this computer (0: any)")
-    add("--sdk", metavar="GENERATION", help="generation of the frames (the robot's newest)")
+    add(
+        "--sdk",
+        metavar="GENERATION",
+        help="generation of the frames over UDP, or go2 or b2: DDS (the robot's newest)",
+    )
     add("--rate", type=float, default=500.0, metavar="HZ", help="rate of the control loop (500)")
     add(
         "--duration",
@@ -77,6 +82,7 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
     )
     add("--no-remote", action="store_true", help="ignore the wireless remote")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
+    add_dds_run_options(parser)
 
 
 def _stuck_time(text: str) -> float:
@@ -110,6 +116,7 @@ def _add_start_group(parser: argparse.ArgumentParser) -> None:
     add(
         "--real-robot",
         action="store_true",
-        help="with --rise: --host may be another machine. This software has not been run on "
+        help="with --rise: --host may be another machine, and --interface may lead to one. This "
+        "software has not been run on "
         "hardware: read docs/first-day.md, hang the robot up, be ready to switch it off",
     )

@@ -174,6 +174,11 @@ def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
         return f"the robot at {where} does not use {generation}: {end.last_reject}; {remedy}"
     if end.link.received:
         return f"no valid LowState from {where}: {end.last_reject}"
+    if where.startswith("rt/"):
+        return (
+            f"no answer from {where}: check --domain and --interface, and that the robot is on; "
+            "for a simulation use: surefoot robot --sdk go2"
+        )
     if where.startswith("127."):
         return f"no answer from {where}; start a virtual robot with surefoot robot"
     return (

@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error
+from surefoot.cli.dds_options import DDS_ROBOTS, DEFAULT_DOMAIN, default_robot
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
 from surefoot.cli.output_files import check_json_path, write_json
@@ -18,6 +19,11 @@ if TYPE_CHECKING:
 
 # [Hz] Default of --log-rate. Chosen: it bounds the size of the file.
 LOG_RATE = 100.0
+# [Hz] Rate of LowStates. 1000: real robots with UDP; 500: that of Go2 in the vendor's examples.
+UDP_RATE, DDS_RATE = 1000.0, 500.0
+# [ms] Time without a command after which the motors damp. 100: assumed for the firmware of robots
+# with UDP. 20: what a Go2 does is not known, so a short time is assumed, which shows gaps.
+UDP_TIMEOUT_MS, DDS_TIMEOUT_MS = 100.0, 20.0
 
 
 def robot(arguments: argparse.Namespace) -> None:
@@ -40,7 +46,16 @@ def robot(arguments: argparse.Namespace) -> None:
             "dropping the robot until it lies with no leg blocking another: some seconds",
             file=sys.stderr,
         )
-    options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
+    options = RunOptions(
+        arguments.bind,
+        arguments.port,
+        arguments.duration,
+        arguments.view,
+        arguments.interface,
+        DEFAULT_DOMAIN if arguments.domain is None else arguments.domain,
+        arguments.libddsc,
+        None if arguments.no_motion_switcher else arguments.sport_mode,
+    )
     record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))
     write_json(arguments.json, record, indent=None)
 
@@ -49,10 +64,16 @@ def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
     """Return the settings that the arguments give; raise Error if an argument is wrong."""
     from surefoot.virtual_robot import VirtualRobotSettings, parse_shake, read_remote_script
 
-    description = chosen_robot(arguments, default="go1")
+    description = chosen_robot(arguments, default=default_robot(arguments.sdk))
     assert description is not None  # not None, because a default robot is given
+    uses_dds = arguments.sdk in DDS_ROBOTS
+    rate = arguments.rate or (DDS_RATE if uses_dds else UDP_RATE)
+    timeout_ms = arguments.timeout_ms
+    if timeout_ms is None:
+        timeout_ms = DDS_TIMEOUT_MS if uses_dds else UDP_TIMEOUT_MS
+    times = {**vars(arguments), "timeout_ms": timeout_ms}
     for name in ("delay_ms", "jitter_ms", "timeout_ms"):
-        value = getattr(arguments, name)
+        value = times[name]
         if not value >= 0.0:
             option = name.replace("_", "-")
             raise Error(f"--{option}: got {value:g}, expected 0 or more [ms]")
@@ -60,16 +81,16 @@ def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
     return VirtualRobotSettings(
         robot=description,
         sdk=arguments.sdk,
-        rate=arguments.rate,
+        rate=rate,
         hung=arguments.hung,
         lying=arguments.lying,
         walking=arguments.walking,
         drop=arguments.drop,
         delay=arguments.delay_ms / 1000.0,
         jitter=arguments.jitter_ms / 1000.0,
-        timeout=arguments.timeout_ms / 1000.0,
+        timeout=timeout_ms / 1000.0,
         shakes=tuple(parse_shake(text) for text in arguments.shake),
         remote=read_remote_script(arguments.remote) if arguments.remote else (),
-        log_rate=min(log_rate, arguments.rate) if arguments.json else 0.0,
+        log_rate=min(log_rate, rate) if arguments.json else 0.0,
         seed=arguments.seed,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 
+from surefoot.cli.dds_options import add_dds_options
 from surefoot.cli.robot_choice import add_robot_options
 
 _SHAKE_HELP = (
@@ -26,6 +27,7 @@ def add_virtual_robot_options(parser: argparse.ArgumentParser) -> None:
     parser.epilog = _EPILOG
     _add_robot_group(parser)
     _add_link_group(parser)
+    _add_dds_group(parser)
     add = parser.add_argument_group("disturbances and inputs").add_argument
     add("--shake", action="append", default=[], metavar="SHAKE", help=_SHAKE_HELP)
     add("--remote", metavar="FILE", help=_REMOTE_HELP)
@@ -42,10 +44,11 @@ def _add_robot_group(parser: argparse.ArgumentParser) -> None:
     add = group.add_argument
     add(
         "--sdk",
-        metavar="a1-v3.3|go1-v3.4|go1-v3.8|b1-v3.8",
-        help="generation of the frames (that of the robot; a go2 has none: choose one)",
+        metavar="a1-v3.3|go1-v3.4|go1-v3.8|b1-v3.8|go2|b2",
+        help="generation of the frames over UDP, or go2 or b2: DDS (that of the robot; the robot "
+        "go2 has none: choose one)",
     )
-    add("--rate", type=float, default=1000.0, metavar="HZ", help="LowStates per second (1000)")
+    add("--rate", type=float, metavar="HZ", help="LowStates per second (1000; DDS: 500)")
     pose = group.add_mutually_exclusive_group()
     pose.add_argument("--hung", action="store_true", help="base fixed level in the air, legs free")
     pose.add_argument(
@@ -59,13 +62,25 @@ def _add_robot_group(parser: argparse.ArgumentParser) -> None:
     add(
         "--timeout-ms",
         type=float,
-        default=100.0,
         metavar="MS",
-        help="the motors damp after this time without a valid command (100; 0: never)",
+        help="the motors damp after this time without a valid command (100; DDS: 20; 0: never)",
     )
     screen = group.add_mutually_exclusive_group()
     screen.add_argument("--view", action="store_true", help="show the robot in a window")
     screen.add_argument("--headless", action="store_true", help="no window (the default)")
+
+
+def _add_dds_group(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("DDS (--sdk go2 or b2)")
+    add_dds_options(group)
+    add = group.add_argument
+    add(
+        "--sport-mode",
+        default="normal",
+        choices=("normal", "ai", "advanced"),
+        help="mode of the motion switcher at the start (normal)",
+    )
+    add("--no-motion-switcher", action="store_true", help="nobody answers its requests")
 
 
 def _add_link_group(parser: argparse.ArgumentParser) -> None:

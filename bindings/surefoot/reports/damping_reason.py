@@ -17,4 +17,6 @@ def damping_reason(snapshot: RunSnapshot) -> str:
         return f"power protection: {snapshot.power_at_damping:.0f} W"
     if snapshot.reason == "fault":
         return f"the supervisor detected {snapshot.damping_fault.name.lower()}"
+    if snapshot.reason == "conflict":
+        return "conflict: another program commands the robot, or a second robot sends LowStates"
     return snapshot.reason

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections import deque
+from typing import Generic, TypeVar
 
 import numpy as np
 
-from surefoot.virtual_robot.udp_port import Datagram
+Message = TypeVar("Message")
 
 
-class Channel:
+class Channel(Generic[Message]):
     """One direction of a link: loses some datagrams and delays the rest without changing the order.
+
+    A datagram of UDP, or a message of DDS.
 
     Args:
         drop: Share of lost datagrams [%].
@@ -25,11 +28,11 @@ class Channel:
     def __init__(self, drop: float, delay: float, jitter: float, rng: np.random.Generator) -> None:
         self._drop, self._delay, self._jitter = drop / 100.0, delay, jitter
         self._rng = rng
-        self._in_flight: deque[tuple[float, Datagram]] = deque()
+        self._in_flight: deque[tuple[float, Message]] = deque()
         self._last_arrival = 0.0
         self.lost = 0
 
-    def put(self, datagram: Datagram, time: float) -> None:
+    def put(self, datagram: Message, time: float) -> None:
         """Send a datagram at a time [s]."""
         if self._drop > 0.0 and self._rng.random() < self._drop:
             self.lost += 1
@@ -40,7 +43,7 @@ class Channel:
         self._last_arrival = max(self._last_arrival, due)
         self._in_flight.append((self._last_arrival, datagram))
 
-    def take(self, time: float) -> list[Datagram]:
+    def take(self, time: float) -> list[Message]:
         """Remove and return the datagrams that arrived by a time [s], oldest first."""
         arrived = []
         # 1e-9 s covers the rounding errors of times, which are sums of periods.

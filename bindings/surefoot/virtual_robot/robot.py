@@ -7,13 +7,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from surefoot import protocol
-from surefoot._core import Error, FrameExtras, LowState
+from surefoot._core import LowState
 from surefoot.robot.loading import describe_robot
 from surefoot.sim import Plant
 from surefoot.sim.hardware.motors import command_law, damping_law
 from surefoot.sim.hardware.wire_format import MotorCommands, measured_power
 from surefoot.sim.truth import FALLEN_TILT_COS, has_fallen
+from surefoot.virtual_robot.dds_robot_link import DdsRobotLink
 from surefoot.virtual_robot.joint_shaker import JointShaker
 from surefoot.virtual_robot.remote import Remote
 from surefoot.virtual_robot.robot_link import RobotLink
@@ -36,7 +36,7 @@ class VirtualRobot:
 
     Args:
         settings: Settings of the robot and its link.
-        port: Port that receives and sends datagrams.
+        port: Port that receives and sends datagrams, or a link over DDS.
         on_message: Function that receives a line of text about each event; None: no messages.
 
     Raises:
@@ -60,11 +60,10 @@ class VirtualRobot:
     def __init__(
         self,
         settings: VirtualRobotSettings,
-        port: DatagramPort,
+        port: DatagramPort | DdsRobotLink,
         on_message: Callable[[str], None] | None = None,
     ) -> None:
         self.settings = settings
-        self._generation = settings.generation
         description = (
             describe_robot(settings.robot) if isinstance(settings.robot, str) else settings.robot
         )
@@ -72,11 +71,10 @@ class VirtualRobot:
         self.plant = Plant(description, settings.plant_settings(has_force_estimate))
         if settings.lying:
             self.plant.reset_lying(np.random.default_rng([settings.seed, _LYING_RNG_STREAM]))
-        self.link = RobotLink(port, settings)
+        self.link = port if isinstance(port, DdsRobotLink) else RobotLink(port, settings)
         self.watchdog = Watchdog(settings.timeout)
         self.remote = Remote(settings.remote)
         self._shaker = JointShaker(settings.shakes)
-        self._extras = _battery_extras()
         self._on_message = on_message or (lambda line: None)
         self._period = 1.0 / settings.rate
         self._cycles = 0
@@ -115,7 +113,7 @@ class VirtualRobot:
     def _receive_command(self) -> None:
         time = self.time
         cmd = self.link.receive(time)
-        for line in self.link.rejected.take_news():
+        for line in self.link.take_news():
             self._on_message(f"{time:.3f} s: {line}")
         if cmd is not None:
             self.command = self.plant.read_command(cmd)
@@ -134,14 +132,7 @@ class VirtualRobot:
         self.remote.advance(time)
         self.state = self._read()
         self.power = measured_power(self.state)
-        if self.link.peer is None:
-            return
-        try:
-            frame = protocol.encode_low_state(self.state, self._generation, self._extras)
-        except Error:  # the simulation diverged: a value is NaN or infinite
-            self.link.unsent += 1
-            return
-        self.link.send(frame, time)
+        self.link.send_state(self.state, time)
 
     def _read(self) -> LowState:
         state = self.plant.read()
@@ -158,11 +149,3 @@ class VirtualRobot:
         if self.settings.lying:  # the body touches the ground when the robot rises and sits down
             return math.cos(self.tilt) < FALLEN_TILT_COS
         return has_fallen(self.plant.data, self.plant.handles)
-
-
-def _battery_extras() -> FrameExtras:
-    """Return readings of the B1's battery for which LowState has no fields: chosen constants."""
-    extras = FrameExtras()
-    extras.BQ_NTC[:], extras.MCU_NTC[:] = 30, 32
-    extras.cell_vol[:4] = 3850
-    return extras

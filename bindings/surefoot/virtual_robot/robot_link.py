@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
 from surefoot import protocol
-from surefoot._core import Error
+from surefoot._core import Error, FrameExtras, LowState
 from surefoot.protocol import ReceivedLowCmd
 from surefoot.virtual_robot.channel import Channel
 from surefoot.virtual_robot.rejected_datagrams import (
@@ -16,7 +17,7 @@ from surefoot.virtual_robot.rejected_datagrams import (
     RejectedDatagrams,
 )
 from surefoot.virtual_robot.settings import VirtualRobotSettings
-from surefoot.virtual_robot.udp_port import Address, DatagramPort
+from surefoot.virtual_robot.udp_port import Address, Datagram, DatagramPort
 
 # Largest number of datagrams read per cycle, so that a flood does not stall the simulation. Chosen:
 # larger than the burst of a controller after a stall. With a larger value, reading may take longer
@@ -61,7 +62,9 @@ class RobotLink:
         self._lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
         impairments = settings.drop, settings.delay, settings.jitter
         rngs = [np.random.default_rng([settings.seed, _RNG_STREAM + k]) for k in range(2)]
-        self._incoming, self._outgoing = (Channel(*impairments, rng) for rng in rngs)
+        self._incoming: Channel[Datagram] = Channel(*impairments, rngs[0])
+        self._outgoing: Channel[Datagram] = Channel(*impairments, rngs[1])
+        self._extras = _battery_extras()
         self.peer: Address | None = None
         self.received = self.commands = self.overtaken = self.repeated = 0
         self.sent = self.unsent = 0
@@ -102,6 +105,33 @@ class RobotLink:
         for datagram in self._outgoing.take(time):
             self.unsent += not self._port.send(*datagram)
 
+    def send_state(self, state: LowState, time: float) -> None:
+        """Send a LowState to the peer at a time [s], if there is a peer."""
+        if self.peer is None:
+            return
+        try:
+            frame = protocol.encode_low_state(state, self._generation, self._extras)
+        except Error:  # the simulation diverged: a value is NaN or infinite
+            self.unsent += 1
+            return
+        self.send(frame, time)
+
+    def take_news(self) -> list[str]:
+        """Return warnings about rejected datagrams since the last call."""
+        return self.rejected.take_news()
+
+    def rejected_text(self) -> str:
+        """Return the number of rejected datagrams and of each reason as text."""
+        return self.rejected.text()
+
+    def rejected_counts(self) -> dict[str, int]:
+        """Return the number of rejected datagrams by reason."""
+        return self.rejected.counts
+
+    def rejected_lengths(self) -> list[dict[str, Any]]:
+        """Return the wrong lengths of datagrams as JSON values."""
+        return self.rejected.lengths()
+
     def _is_query(self, data: bytes) -> bool:
         """Return True if an invalid datagram is a query; see the class."""
         return len(data) in self._lengths or is_blank(data)
@@ -116,6 +146,14 @@ class RobotLink:
         self.repeated += data == self._last_command
         self._last_command = data
         return cmd
+
+
+def _battery_extras() -> FrameExtras:
+    """Return readings of the B1's battery for which LowState has no fields: chosen constants."""
+    extras = FrameExtras()
+    extras.BQ_NTC[:], extras.MCU_NTC[:] = 30, 32
+    extras.cell_vol[:4] = 3850
+    return extras
 
 
 def is_blank(data: bytes) -> bool:

@@ -10,7 +10,9 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
+from surefoot._core import DdsNetwork
 from surefoot.robot.setting_checks import check_number
+from surefoot.virtual_robot.dds_robot_link import DdsRobotLink
 from surefoot.virtual_robot.keyboard import KEYS_HELP, Keyboard
 from surefoot.virtual_robot.real_time_pacer import RealTimePacer
 from surefoot.virtual_robot.real_time_priority import RealTimePriority
@@ -31,17 +33,27 @@ _UI_PERIOD = 0.02
 class RunOptions:
     """Address and duration of a run of a virtual robot.
 
+    host and port are for UDP; interface, domain, library and sport_mode are for DDS.
+
     Attributes:
         host: Address of this machine at which the robot receives datagrams.
         port: UDP port at which the robot receives datagrams; 0: the system chooses a port.
         duration: Simulated time after which the run ends [s].
         view: True: show the robot in a window; the run ends when the window is closed.
+        interface: Network interface, a loopback interface.
+        domain: DDS domain, 0 .. 230; 1 is that of unitree_mujoco.
+        library: File of libddsc; "": that of the package cyclonedds, else that of the system.
+        sport_mode: Mode of the motion switcher at the start; None: there is no motion switcher.
     """
 
     host: str = "127.0.0.1"
     port: int = 8007
     duration: float = math.inf
     view: bool = False
+    interface: str = "lo"
+    domain: int = 1
+    library: str = ""
+    sport_mode: str | None = "normal"
 
     def __post_init__(self) -> None:
         check_number("duration", self.duration, 0.001, math.inf)
@@ -62,7 +74,8 @@ def run_robot(
         Result of summarise() for the run.
 
     Raises:
-        Error: A setting is invalid, or a window was requested and there is no display.
+        Error: A setting is invalid, a window was requested and there is no display, or the DDS
+            network cannot be joined.
         OSError: The port is in use or not permitted.
     """
     generation = settings.generation  # raises Error before any slow step
@@ -71,23 +84,35 @@ def run_robot(
     with ExitStack() as stack:
         # Open the port before building the robot: opening fails more often, and building takes a
         # second.
-        port = UdpPort(options.host, options.port)
-        stack.callback(port.close)
+        port, where = _open_port(settings, options, stack)
         robot = VirtualRobot(settings, port, on_message)
         viewer = Viewer(robot.plant) if options.view else None
         if viewer is not None:
             stack.callback(viewer.close)
         keyboard = stack.enter_context(Keyboard(robot.remote))
         stop = stack.enter_context(_StopSignals())
-        host, bound = port.address
         name = robot.plant.robot.name
-        on_message(f"listening on {host}:{bound} as {name}, {generation}, {settings.pose}")
+        on_message(f"listening on {where} as {name}, {generation}, {settings.pose}")
         if keyboard.is_available:
             on_message(KEYS_HELP)
         on_message(stack.enter_context(RealTimePriority()).granted)
         return _RunLoop(robot, keyboard, viewer).run_until(
             lambda: stop.requested, options.duration, on_message
         )
+
+
+def _open_port(
+    settings: VirtualRobotSettings, options: RunOptions, stack: ExitStack
+) -> tuple[UdpPort | DdsRobotLink, str]:
+    """Return the open port of a robot, and its address as text."""
+    if settings.uses_dds:
+        network = DdsNetwork(options.interface, options.domain, library=options.library)
+        link = DdsRobotLink(network, settings, options.sport_mode)
+        return link, ", ".join(network.notices)
+    port = UdpPort(options.host, options.port)
+    stack.callback(port.close)
+    host, bound = port.address
+    return port, f"{host}:{bound}"
 
 
 class _RunLoop:

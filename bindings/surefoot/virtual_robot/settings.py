@@ -13,6 +13,8 @@ from surefoot.stand.simulation_settings import check_rate
 from surefoot.virtual_robot.joint_shaker import Shake
 from surefoot.virtual_robot.remote import RemoteEvent
 
+DDS_ROBOTS = ("go2", "b2")  # robots that speak DDS; names of DdsLink
+
 
 @dataclass(frozen=True)
 class VirtualRobotSettings:
@@ -23,7 +25,8 @@ class VirtualRobotSettings:
     Attributes:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
         sdk: Frame generation: version of the SDK's frame format, one of protocol.GENERATIONS, such
-            as go1-v3.8; None: the default frame generation of this robot.
+            as go1-v3.8; or one of DDS_ROBOTS: DDS instead of UDP; None: the default frame
+            generation of this robot.
         rate: LowStates per second [Hz]; the period must be a whole number of milliseconds.
         hung: True: the base is fixed in the air, and the legs are free.
         lying: True: the robot starts lying in a random leg pose with damping motors.
@@ -58,7 +61,7 @@ class VirtualRobotSettings:
 
     def __post_init__(self) -> None:
         if self.sdk is not None:
-            check_one_of("sdk", self.sdk, protocol.GENERATIONS)
+            check_one_of("sdk", self.sdk, (*protocol.GENERATIONS, *DDS_ROBOTS))
         check_number("rate", self.rate, 10.0, 1000.0)
         check_rate(self.rate)
         if self.hung and self.lying:
@@ -76,8 +79,13 @@ class VirtualRobotSettings:
         return "hung up" if self.hung else "lying" if self.lying else "standing"
 
     @property
+    def uses_dds(self) -> bool:
+        """True if the robot speaks DDS instead of UDP."""
+        return self.sdk in DDS_ROBOTS
+
+    @property
     def generation(self) -> str:
-        """Frame generation of the robot, one of protocol.GENERATIONS.
+        """Frame generation of the robot, one of protocol.GENERATIONS or DDS_ROBOTS.
 
         Raises:
             Error: `sdk` is None, and this robot has no default frame generation.

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from surefoot.sim.hardware.motors import SERVO_MODE
+from surefoot.virtual_robot.dds_robot_link import DdsRobotLink
 from surefoot.virtual_robot.robot import VirtualRobot
 from surefoot.virtual_robot.robot_link import RobotLink
 
@@ -45,7 +46,7 @@ class StatusLine:
                 f"{robot.time:.1f} s",
                 f"samples {sent / seconds:.0f} Hz",
                 f"commands {commands / seconds:.0f} Hz, {commands_text(link)}",
-                f"rejected {link.rejected.text()}",
+                f"rejected {link.rejected_text()}",
                 mode_text(robot),
                 f"height {robot.height:.3f} m",
                 f"tilt {math.degrees(robot.tilt):.1f} deg",
@@ -55,7 +56,7 @@ class StatusLine:
         )
 
 
-def commands_text(link: RobotLink) -> str:
+def commands_text(link: RobotLink | DdsRobotLink) -> str:
     """Return the counts of valid, repeated and overtaken commands and of lost datagrams as text."""
     lost_in, lost_out = link.lost
     parts = [f"{link.commands} in all"]

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "surefoot/robot_link.hpp"
 #include "surefoot/run_log.hpp"
 #include "surefoot/supervisor.hpp"
 #include "surefoot/udp_link.hpp"
@@ -65,6 +66,7 @@ enum class RunReason {
   kController,       ///< the StandController damps, see StandController::fault()
   kPowerProtect,     ///< the power protection tripped
   kButton,           ///< button B on the remote was pressed
+  kConflict,         ///< another program commands the robot, see LinkStatus::conflict
   kFault             ///< another fault, see RunSnapshot::damping_fault
 };
 /// Return the reason in one word, as logs write it. Real-time: yes.
@@ -145,7 +147,7 @@ struct RunSnapshot {
       wake_max = 0.0;     ///< [us] latency of waking up, maximum
 };
 
-/// Loop that runs a Supervisor over a UdpLink at a fixed rate.
+/// Loop that runs a Supervisor over a RobotLink at a fixed rate.
 ///
 /// With RunOptions::start kStanding, the runner takes over a standing robot with its first valid
 /// LowState; if the robot lies, the run ends. With kLying, arm() and request() arm the robot and
@@ -159,11 +161,18 @@ struct RunSnapshot {
 /// ms. After a shorter pause the run continues with the newest LowState.
 class Runner {
  public:
-  /// Open the link to the robot; run() starts the loop. Throws surefoot::Error if an option or a
+  /// Open a UdpLink to the robot; run() starts the loop. Throws surefoot::Error if an option or a
   /// gain is invalid, if a real robot is not started with Start::kLying, or if the UdpLink cannot
   /// be opened.
   Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
          const UdpLinkOptions& link, const RunOptions& options);
+  /// Use an open link, such as a DdsLink; run() starts the loop. The caller does not use the link
+  /// until run() has ended. Throws surefoot::Error if an option or a gain is invalid, or if a real
+  /// robot is not started with Start::kLying.
+  /// @param link open link to the robot, not null
+  /// @param real_robot true: the link leads to a real robot
+  Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
+         std::shared_ptr<RobotLink> link, const RunOptions& options, bool real_robot);
   ~Runner();
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
@@ -213,7 +222,7 @@ class Runner {
   /// Describe the scheduling and memory locking that run() got; "not running" before run().
   /// Real-time: no.
   std::string real_time() const;
-  int local_port() const noexcept;  ///< local UDP port
+  int local_port() const noexcept;  ///< local UDP port; 0: the link is no UdpLink
 
  private:
   struct Impl;

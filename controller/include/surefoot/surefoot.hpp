@@ -11,6 +11,7 @@
 #include "surefoot/low_level.hpp"
 #include "surefoot/planner.hpp"
 #include "surefoot/robot.hpp"
+#include "surefoot/robot_link.hpp"
 #include "surefoot/runner.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stage_clock.hpp"

@@ -2,12 +2,10 @@
 #include "surefoot/udp_link.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "common/clock.hpp"
-#include "common/command_times.hpp"
 #include "common/text.hpp"
-#include "link/tick_sequence.hpp"
+#include "link/state_intake.hpp"
 #include "link/udp_socket.hpp"
 #include "surefoot/error.hpp"
 
@@ -35,7 +33,6 @@ struct UdpLink::Impl {
     encode_low_cmd(damping, FrameExtras{}, options.generation, damping_frame);
   }
   bool process_datagram(std::size_t size, double time) noexcept;
-  void reject(const FrameReport& report) noexcept;
 
   UdpLinkOptions options;
   UdpSocket socket;
@@ -43,13 +40,9 @@ struct UdpLink::Impl {
   // Larger than the largest frame, so that datagrams that are too long are detected.
   std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};
   Frame frame, damping_frame;
-  LowState state = init_low_state(), incoming = state;
+  LowState incoming = init_low_state();
   FrameExtras extras, incoming_extras;
-  TickSequence sequence;
-  LinkCounts counts;
-  FrameReport last_reject;
-  bool has_state = false;
-  double arrival_stamp = 0.0;  // [s] arrival time of the newest LowState, on monotonic_time()
+  StateIntake intake;
 };
 
 UdpLink::UdpLink(const UdpLinkOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -65,12 +58,12 @@ bool UdpLink::receive() noexcept {
     const UdpSocket::ReadResult read = s.socket.read(s.buffer.data(), size, arrival_stamp);
     if (read == UdpSocket::ReadResult::kNothing) return newer;
     if (read == UdpSocket::ReadResult::kOtherSender) {
-      ++s.counts.strangers;
+      ++s.intake.status.counts.strangers;
     } else {
       newer = s.process_datagram(size, arrival_stamp) || newer;
     }
   }
-  ++s.counts.floods;
+  ++s.intake.status.counts.floods;
   return newer;
 }
 
@@ -79,67 +72,31 @@ bool UdpLink::receive() noexcept {
 // duplicate and reordered datagrams are only counted.
 // @param time arrival time of the datagram [s], on monotonic_time()
 bool UdpLink::Impl::process_datagram(std::size_t size, double time) noexcept {
-  ++counts.received;
+  ++intake.status.counts.received;
   const FrameReport report = decode_low_state(buffer.data(), std::min(size, buffer.size()),
                                               options.generation, incoming, incoming_extras);
   if (report.status != FrameStatus::kOk) {
-    reject(report);
+    intake.reject(report);
     return false;
   }
-  ++counts.valid;
-  const TickSequence::Arrival arrival = sequence.classify(incoming.tick, time);
-  counts.lost = sequence.lost();
-  if (arrival == TickSequence::Arrival::kDuplicate) {
-    ++counts.duplicate;
-    return false;
-  }
-  if (arrival == TickSequence::Arrival::kReordered) {
-    ++counts.reordered;
-    return false;
-  }
-  if (arrival == TickSequence::Arrival::kRestarted) ++counts.restarts;
-  if (has_state && time - arrival_stamp > kHoldTime) ++counts.late;
-  has_state = true;
-  arrival_stamp = time;
-  state = incoming;
+  if (!intake.accept(incoming, time)) return false;
   extras = incoming_extras;
   return true;
-}
-
-void UdpLink::Impl::reject(const FrameReport& report) noexcept {
-  last_reject = report;
-  switch (report.status) {
-    case FrameStatus::kWrongGeneration:
-      ++counts.wrong_generation;
-      break;
-    case FrameStatus::kWrongLength:
-      ++counts.wrong_length;
-      break;
-    default:
-      ++counts.corrupt;
-  }
 }
 
 FrameReport UdpLink::send(const LowCmd& cmd) noexcept {
   Impl& s = *impl_;
   const FrameReport report = encode_low_cmd(cmd, FrameExtras{}, s.options.generation, s.frame);
   const bool usable = is_usable(report.status);
-  if (!usable) ++s.counts.refused;
-  const Frame& outgoing = usable && s.has_state ? s.frame : s.damping_frame;
+  if (!usable) ++s.intake.status.counts.refused;
+  const Frame& outgoing = usable && s.intake.status.has_state ? s.frame : s.damping_frame;
   const bool was_sent = s.socket.write(outgoing.bytes.data(), outgoing.size);
-  ++(was_sent ? s.counts.sent : s.counts.send_failed);
+  ++(was_sent ? s.intake.status.counts.sent : s.intake.status.counts.send_failed);
   return report;
 }
 
-bool UdpLink::has_state() const noexcept { return impl_->has_state; }
-const LowState& UdpLink::state() const noexcept { return impl_->state; }
+const LinkStatus& UdpLink::status() const noexcept { return impl_->intake.status; }
 const FrameExtras& UdpLink::extras() const noexcept { return impl_->extras; }
-double UdpLink::state_age() const noexcept {
-  return impl_->has_state ? monotonic_time() - impl_->arrival_stamp
-                          : std::numeric_limits<double>::infinity();
-}
-const LinkCounts& UdpLink::counts() const noexcept { return impl_->counts; }
-const FrameReport& UdpLink::last_reject() const noexcept { return impl_->last_reject; }
 int UdpLink::local_port() const noexcept { return impl_->socket.local_port(); }
 
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dynamics/dynamics.hpp"
 #include "surefoot/error.hpp"
@@ -25,13 +26,8 @@ double standing_height(const Robot& robot) {
   return dynamics.p_world_base().z() - contact_points(dynamics).row(2).mean();
 }
 
-const RunOptions& checked_options(const RunOptions& options, const UdpLinkOptions& link) {
+const RunOptions& checked_options(const RunOptions& options) {
   options.validate();
-  if (link.real_robot && options.start != Start::kLying) {
-    throw Error(
-        "start: got 'standing' with a real robot, expected 'lying': arming checks must pass before "
-        "it moves (surefoot run --rise --real-robot)");
-  }
   return options;
 }
 
@@ -49,10 +45,10 @@ SupervisorOptions supervisor_options(const RunOptions& options, const Controller
 }  // namespace
 
 RunLoop::RunLoop(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
-                 const UdpLinkOptions& link, const RunOptions& options)
-    : options_(checked_options(options, link)),
+                 std::shared_ptr<RobotLink> link, const RunOptions& options)
+    : options_(checked_options(options)),
       supervisor_(robot, gains, supervisor_options(options, stand)),
-      link_(link),
+      link_(std::move(link)),
       tau_max_(robot.config().tau_max),
       standing_height_(standing_height(robot)),
       damping_(damping_low_cmd(gains.damping_kd)),
@@ -62,14 +58,14 @@ RunLoop::RunLoop(const Robot& robot, const Gains& gains, const ControllerOptions
 void RunLoop::tick(double time, double elapsed) noexcept {
   snapshot_.time = time;
   apply_requests();
-  const bool has_new_state = link_.receive();
+  const bool has_new_state = link_->receive();
   if (stop_requested_.load()) end(RunReason::kRequested);
   // If damping is requested while the robot already damps, this request becomes the reason.
   if (damp_requested_.exchange(false) && snapshot_.phase == RunPhase::kDamping)
     snapshot_.reason = RunReason::kRequested;
   if (ended()) {
     send(damping_, has_new_state);
-  } else if (link_.has_state()) {
+  } else if (link_->has_state()) {
     supervise(has_new_state, elapsed);
   } else {
     wait_for_robot();
@@ -81,7 +77,7 @@ void RunLoop::tick(double time, double elapsed) noexcept {
 
 void RunLoop::wait_for_robot() noexcept {
   send_damping();
-  if (link_.counts().wrong_generation >= kMaxWrongGenerationFrames) {
+  if (link_->counts().wrong_generation >= kMaxWrongGenerationFrames) {
     end(RunReason::kWrongGeneration);
   } else if (snapshot_.time > options_.connect_timeout) {
     end(RunReason::kNoState);
@@ -95,10 +91,11 @@ void RunLoop::supervise(bool has_new_state, double elapsed) noexcept {
     if (supervisor_.armed()) snapshot_.silence_time = elapsed;
     report_link_lost(RunReason::kProcessStalled);
   }
-  if (link_.counts().restarts != counted_restarts_) report_link_lost(RunReason::kRestart);
-  const double age = link_.state_age();
+  if (link_->counts().restarts != counted_restarts_) report_link_lost(RunReason::kRestart);
+  if (link_->status().conflict && supervisor_.armed()) report_link_lost(RunReason::kConflict);
+  const double age = link_->state_age();
   if (robot_silent_ && has_new_state && age < kStaleTime) resume_or_report_lost();
-  const LowCmd& command = has_new_state && age < kHoldTime ? control(link_.state())
+  const LowCmd& command = has_new_state && age < kHoldTime ? control(link_->state())
                                                            : update_without_state(age, elapsed);
   if (supervisor_.mode() == Mode::kStand && !snapshot_.stood && lies()) {
     end(RunReason::kNotStanding);
@@ -116,14 +113,14 @@ bool RunLoop::lies() const noexcept {
 }
 
 void RunLoop::send(const LowCmd& command, bool has_new_state) noexcept {
-  link_.send(command);
+  link_->send(command);
   log(command, has_new_state);
 }
 
 // The supervisor receives only the newest sample of a tick. So the link's counts of all samples are
 // passed to the supervisor too.
 void RunLoop::count_samples() noexcept {
-  const LinkCounts& counts = link_.counts();
+  const LinkCounts& counts = link_->counts();
   supervisor_.count_samples(static_cast<double>(counts.valid - counted_valid_),
                             static_cast<double>(counts.lost) - static_cast<double>(counted_lost_));
   counted_valid_ = counts.valid;
@@ -166,7 +163,7 @@ const LowCmd& RunLoop::update_without_state(double age, double elapsed) noexcept
 // control; otherwise report the link as lost.
 void RunLoop::resume_or_report_lost() noexcept {
   if (supervisor_.armed() &&
-      silence_detector_.robot_clock_paused(snapshot_.time, link_.state().tick)) {
+      silence_detector_.robot_clock_paused(snapshot_.time, link_->state().tick)) {
     robot_silent_ = false;
     ++snapshot_.resumed_dampings;
   } else {
@@ -177,7 +174,7 @@ void RunLoop::resume_or_report_lost() noexcept {
 void RunLoop::report_link_lost(RunReason why) noexcept {
   link_loss_reason_ = why;
   robot_silent_ = false;
-  counted_restarts_ = link_.counts().restarts;
+  counted_restarts_ = link_->counts().restarts;
   supervisor_.report_link_lost();
 }
 

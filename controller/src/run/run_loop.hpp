@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "run/mailbox.hpp"
 #include "run/remote_reference.hpp"
@@ -17,9 +18,10 @@ namespace surefoot {
 /// works, and when the run ends.
 class RunLoop {
  public:
-  /// Throw surefoot::Error under the conditions of Runner.
+  /// Throw surefoot::Error under the conditions of Runner, except that the link is open.
+  /// @param link open link to the robot, not null
   RunLoop(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
-          const UdpLinkOptions& link, const RunOptions& options);
+          std::shared_ptr<RobotLink> link, const RunOptions& options);
 
   /// Receive samples, compute the command and send it. Real-time: yes.
   /// @param time time since the loop began [s]
@@ -27,7 +29,7 @@ class RunLoop {
   void tick(double time, double elapsed) noexcept;
   bool ended() const noexcept { return snapshot_.phase == RunPhase::kEnded; }
   /// Send damping. Real-time: yes.
-  void send_damping() noexcept { link_.send(damping_); }
+  void send_damping() noexcept { link_->send(damping_); }
 
   // From any thread, also from a signal handler:
   RequestStatus request(Mode mode) noexcept { return supervisor_.request(mode); }
@@ -49,7 +51,6 @@ class RunLoop {
   const RunSnapshot& snapshot() noexcept;
   /// Return whether the phase has changed since the last call. Real-time: yes.
   bool take_phase_change() noexcept;
-  int local_port() const noexcept { return link_.local_port(); }
   const RunLog& log() const noexcept { return log_; }
 
  private:
@@ -77,7 +78,7 @@ class RunLoop {
 
   RunOptions options_;
   Supervisor supervisor_;
-  UdpLink link_;
+  std::shared_ptr<RobotLink> link_;
   Vector12 tau_max_;        // [N.m]
   double standing_height_;  // [m] of the base above its contact points, in the standing pose
   LowCmd damping_;          // sent before the first LowState, and at the end

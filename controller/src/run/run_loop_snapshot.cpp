@@ -14,11 +14,11 @@ void RunLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   const Mode mode = supervisor_.mode();
   const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s] 5 s: chosen
   if (mode != Mode::kPassive && mode != Mode::kDamping) last_driven_time_ = snapshot_.time;
-  if (!link_.has_state() ||
+  if (!link_->has_state() ||
       (last_driven_time_ >= 0.0 && snapshot_.time - last_driven_time_ > log_tail))
     return;
   log_.add({snapshot_.time, has_new_state, mode, supervisor_.damping_fault(), velocity_,
-            has_new_state && has_velocity_, gait_, link_.state(), command});
+            has_new_state && has_velocity_, gait_, link_->state(), command});
 }
 
 // Update the phase, its reason and the counts after a tick.
@@ -101,9 +101,9 @@ RunReason RunLoop::damping_reason() const noexcept {
 }
 
 const RunSnapshot& RunLoop::snapshot() noexcept {
-  snapshot_.link = link_.counts();
-  snapshot_.last_reject = link_.last_reject();
-  snapshot_.state_age = link_.state_age();
+  snapshot_.link = link_->counts();
+  snapshot_.last_reject = link_->last_reject();
+  snapshot_.state_age = link_->state_age();
   snapshot_.damping_fault = supervisor_.damping_fault();
   snapshot_.arming = supervisor_.arming();
   snapshot_.faults = supervisor_.faults();
@@ -113,7 +113,7 @@ const RunSnapshot& RunLoop::snapshot() noexcept {
   snapshot_.rise_stage = supervisor_.rise_stage();
   snapshot_.stopping = supervisor_.stopping();
   snapshot_.refused_rearms = refused_rearms_.load();
-  write_robot_snapshot(supervisor_.controller(), link_.state(), tau_max_, snapshot_);
+  write_robot_snapshot(supervisor_.controller(), link_->state(), tau_max_, snapshot_);
   snapshot_.gait = gait_;
   return snapshot_;
 }

@@ -78,6 +78,8 @@ const char* to_string(RunReason reason) noexcept {
       return "power_protect";
     case RunReason::kButton:
       return "button";
+    case RunReason::kConflict:
+      return "conflict";
     case RunReason::kFault:
       return "fault";
   }

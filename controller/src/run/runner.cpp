@@ -2,6 +2,7 @@
 #include "surefoot/runner.hpp"
 
 #include <atomic>
+#include <utility>
 
 #include "common/clock.hpp"
 #include "run/latency_histogram.hpp"
@@ -21,6 +22,14 @@ constexpr double kFinalDampingTime = 0.2;
 // longer: an operator who watches the run sees changes too late.
 constexpr double kPublishPeriod = 0.05;
 
+void check_start(const RunOptions& options, bool real_robot) {
+  if (real_robot && options.start != Start::kLying) {
+    throw Error(
+        "start: got 'standing' with a real robot, expected 'lying': arming checks must pass before "
+        "it moves (surefoot run --rise --real-robot)");
+  }
+}
+
 /// Flag that is set while the loop runs. It is also cleared if an exception ends the loop.
 class RunningFlag {
  public:
@@ -37,10 +46,11 @@ class RunningFlag {
 
 struct Runner::Impl {
   Impl(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
-       const UdpLinkOptions& link, const RunOptions& options)
-      : loop(robot, gains, stand, link, options), period(1.0 / options.rate) {}
+       std::shared_ptr<RobotLink> link, const RunOptions& options)
+      : loop(robot, gains, stand, std::move(link), options), period(1.0 / options.rate) {}
 
   RunLoop loop;
+  int local_port = 0;  // of a UdpLink
   double period;
   LatencyHistogram tick_latencies, wake_latencies;
   SnapshotPublisher publisher;
@@ -77,8 +87,18 @@ void Runner::run() {
 }
 
 Runner::Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
-               const UdpLinkOptions& link, const RunOptions& options)
-    : impl_(std::make_unique<Impl>(robot, gains, stand, link, options)) {}
+               const UdpLinkOptions& link, const RunOptions& options) {
+  check_start(options, link.real_robot);
+  auto udp_link = std::make_shared<UdpLink>(link);
+  const int local_port = udp_link->local_port();
+  impl_ = std::make_unique<Impl>(robot, gains, stand, std::move(udp_link), options);
+  impl_->local_port = local_port;
+}
+Runner::Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
+               std::shared_ptr<RobotLink> link, const RunOptions& options, bool real_robot) {
+  check_start(options, real_robot);
+  impl_ = std::make_unique<Impl>(robot, gains, stand, std::move(link), options);
+}
 Runner::~Runner() = default;
 
 RequestStatus Runner::request(Mode mode) noexcept { return impl_->loop.request(mode); }
@@ -94,7 +114,7 @@ void Runner::set_body_reference(const BodyReference& target) {
 }
 void Runner::set_velocity(const WalkVelocity& velocity) { impl_->loop.set_velocity(velocity); }
 void Runner::set_gait(Gait gait) { impl_->loop.set_gait(gait); }
-int Runner::local_port() const noexcept { return impl_->loop.local_port(); }
+int Runner::local_port() const noexcept { return impl_->local_port; }
 const RunLog& Runner::log() const {
   if (impl_->running.load())
     throw Error("log: got a call while run() is running, expected one after its end");

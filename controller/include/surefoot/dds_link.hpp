@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "surefoot/dds_network.hpp"
+#include "surefoot/dds_robot.hpp"
+#include "surefoot/robot_link.hpp"
+
+namespace surefoot {
+
+/// Source of LowState::tick.
+enum class TickSource {
+  kMessage,  ///< the tick of the message
+  /// the time of arrival while the tick of the messages stands at 0, as in unitree_mujoco's Python
+  /// simulator; otherwise the tick of the message
+  kArrival
+};
+
+/// Options of a DdsLink.
+struct DdsLinkOptions {
+  DdsRobot robot = DdsRobot::kGo2;  ///< robot; it decides the servo mode of the motors
+  /// [N.m.s/rad] kd in the damping commands that the link itself sends, 0.0625 .. 50.
+  double damping_kd = 3.0;
+  CrcRule crc = CrcRule::kZeroIsAbsent;    ///< what a LowState with crc 0 means
+  TickSource tick = TickSource::kMessage;  ///< source of LowState::tick
+  /// [s] time that peers get to be discovered before their types and writers are checked, 0 .. 60
+  double discovery_time = 1.0;
+};
+
+/// Counts of a DdsLink beyond LinkCounts.
+struct DdsCounts {
+  std::uint64_t timeouts = 0;     ///< commands that a slow reliable reader blocked for 1 ms
+  std::uint64_t conflicts = 0;    ///< commands replaced by damping because of LinkStatus::conflict
+  std::uint64_t without_crc = 0;  ///< valid LowStates whose crc was 0, so no CRC was checked
+  /// valid LowStates without a head, whose motors are taken for being in servo mode
+  std::uint64_t without_head = 0;
+  std::uint64_t without_tick = 0;  ///< valid LowStates whose tick was 0
+};
+
+/// Link to a Go2 or B2 over DDS: writes rt/lowcmd, reads rt/lowstate.
+///
+/// Until a valid LowState has arrived, only damping is sent, whatever command is given. All 20
+/// motors are always in servo mode, and every command has a CRC. While another writer of rt/lowcmd
+/// or a second writer of rt/lowstate exists, the link sends only damping, see LinkStatus::conflict.
+/// A thread of the link looks for such writers every 50 ms. Not thread-safe, except for
+/// take_news().
+class DdsLink final : public RobotLink {
+ public:
+  /// Open the link; takes discovery_time. Throws surefoot::Error if an option is out of range, if a
+  /// writer of another type than that of Go2 and B2 is on rt/lowstate or rt/lowcmd, if another
+  /// writer is on rt/lowcmd, or if two writers are on rt/lowstate; the message names their
+  /// processes.
+  DdsLink(std::shared_ptr<DdsNetwork> network, const DdsLinkOptions& options);
+  ~DdsLink() override;
+
+  /// Take the waiting samples, at most kMaxSamplesPerReceive, and keep the newest valid LowState.
+  /// Never blocks. Real-time: yes; libddsc may lock and allocate.
+  /// @return true if a newer LowState has arrived; see state_age() for its age
+  bool receive() noexcept override;
+  static constexpr int kMaxSamplesPerReceive = 64;  ///< most samples that receive() takes
+
+  /// Send a command. Until has_state() is true, while status().conflict is true, or if the command
+  /// is not finite, damping is sent instead. Blocks for at most 1 ms. Real-time: yes; libddsc may
+  /// lock and allocate.
+  /// @return how the command was encoded; kNotFinite: damping was sent instead
+  FrameReport send(const LowCmd& cmd) noexcept override;
+  const LinkStatus& status() const noexcept override;  ///< present state of the link
+  const DdsCounts& dds_counts() const noexcept;        ///< counts since the link was opened
+
+  /// Return what has changed since the last call, as sentences: peers that came or vanished,
+  /// missing CRCs, a tick that stands still. From any thread, one at a time. Real-time: no.
+  std::vector<std::string> take_news();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace surefoot

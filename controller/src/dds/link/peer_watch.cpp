@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dds/link/peer_watch.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// Period of the thread. Chosen: a second commander is noticed before a robot has fallen far. If
+// shorter: the thread takes more time from the control loop.
+constexpr auto kPeriod = std::chrono::milliseconds(50);
+constexpr std::size_t kMaxNews = 64;  // chosen; bounds the memory if nobody takes them
+
+}  // namespace
+
+PeerWatch::PeerWatch(const DdsParticipant& participant, std::vector<WriterRule> rules,
+                     double discovery_time)
+    : discovery_(participant), rules_(std::move(rules)), known_(rules_.size()) {
+  check_at_start(discovery_time);
+}
+
+void PeerWatch::start(const ddsc::Guid& own) {
+  own_ = own;
+  thread_ = std::thread([this] { run(); });
+}
+
+PeerWatch::~PeerWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  stopped_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+// Wait for the whole time even if no rule is broken: more peers may be discovered. Other writers
+// may still be leaving, so only those that exist at the end count.
+void PeerWatch::check_at_start(double discovery_time) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(discovery_time));
+  for (std::size_t k = 0; k < rules_.size(); ++k) {
+    const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
+    const std::string problem = problem_of(rules_[k], writers);
+    if (!problem.empty()) throw Error(problem);
+    report_changes(k, writers);
+  }
+}
+
+void PeerWatch::run() {
+  std::unique_lock lock(mutex_);
+  while (!stopped_.wait_for(lock, kPeriod, [this] { return stop_; })) {
+    lock.unlock();
+    look();
+    lock.lock();
+  }
+}
+
+void PeerWatch::look() {
+  bool conflict = false;
+  for (std::size_t k = 0; k < rules_.size(); ++k) {
+    const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
+    conflict = !problem_of(rules_[k], writers).empty() || conflict;
+    report_changes(k, writers);
+  }
+  conflict_.store(conflict);
+}
+
+// Return what is wrong with the writers of a topic; "" if nothing is.
+std::string PeerWatch::problem_of(const WriterRule& rule,
+                                  const std::vector<DiscoveredEndpoint>& writers) {
+  std::size_t others = 0;
+  std::string owners;
+  for (const DiscoveredEndpoint& writer : writers) {
+    if (writer.guid == own_) continue;
+    if (writer.type != rule.type) {
+      return std::string(rule.topic) + ": got a writer of type " + writer.type + " (" +
+             writer.owner + "), expected " + rule.type +
+             "; unitree_hg is the type of humanoids: choose another domain or interface";
+    }
+    owners += (others++ > 0 ? ", " : "") + writer.owner;
+  }
+  if (others <= rule.max_writers) return "";
+  return std::string(rule.topic) + ": got " + std::to_string(others) + " other writer(s) (" +
+         owners + "), expected " + std::to_string(rule.max_writers) + "; " + rule.remedy;
+}
+
+void PeerWatch::report_changes(std::size_t rule, const std::vector<DiscoveredEndpoint>& writers) {
+  std::map<ddsc::Guid, std::string> present;
+  for (const DiscoveredEndpoint& writer : writers) {
+    if (writer.guid != own_) present[writer.guid] = writer.owner;
+  }
+  const std::string topic = rules_[rule].topic;
+  const std::lock_guard lock(mutex_);
+  const auto add = [this](std::string line) {
+    if (news_.size() < kMaxNews) news_.push_back(std::move(line));
+  };
+  for (const auto& [guid, owner] : present) {
+    if (known_[rule].count(guid) == 0) add("writer of " + topic + " found: " + owner);
+  }
+  for (const auto& [guid, owner] : known_[rule]) {
+    if (present.count(guid) == 0) add("writer of " + topic + " has gone: " + owner);
+  }
+  known_[rule] = std::move(present);
+}
+
+std::string PeerWatch::owners(std::size_t rule) {
+  const std::lock_guard lock(mutex_);
+  std::string text;
+  for (const auto& [guid, owner] : known_[rule]) text += (text.empty() ? "" : ", ") + owner;
+  return text.empty() ? "none" : text;
+}
+
+std::vector<std::string> PeerWatch::take_news() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(news_, {});
+}
+
+}  // namespace surefoot

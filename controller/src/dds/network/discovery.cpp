@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dds/network/discovery.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::uint32_t kMaxSamples = 512;  // chosen: more endpoints than a robot and ROS 2 have
+
+DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic) {
+  const ddsc::Functions& f = participant.functions();
+  return DdsEntity(f, f.create_reader(participant.handle(), topic, nullptr, nullptr),
+                   "DDS reader of a built-in topic");
+}
+
+// Call use(sample) for every participant or endpoint that is alive.
+template <typename Sample, typename Use>
+void for_each_alive(const ddsc::Functions& f, const DdsEntity& reader, Use&& use) {
+  std::vector<void*> samples(kMaxSamples, nullptr);  // nullptr: libddsc lends its memory
+  std::vector<ddsc::SampleInfo> infos(kMaxSamples);
+  const ddsc::Return count =
+      f.read(reader.handle(), samples.data(), infos.data(), kMaxSamples, kMaxSamples);
+  for (ddsc::Return k = 0; k < count; ++k) {
+    const ddsc::SampleInfo& info = infos[static_cast<std::size_t>(k)];
+    if (info.valid_data && info.instance_state == ddsc::kInstanceAlive)
+      use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]));
+  }
+  if (count > 0) f.return_loan(reader.handle(), samples.data(), count);
+}
+
+std::string hex(const ddsc::Guid& guid) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : guid) {
+    text += kDigits[byte / 16];
+    text += kDigits[byte % 16];
+  }
+  return text;
+}
+
+}  // namespace
+
+DdsDiscovery::DdsDiscovery(const DdsParticipant& participant)
+    : functions_(participant.functions()),
+      participants_(built_in_reader(participant, ddsc::kTopicOfParticipants)),
+      writers_(built_in_reader(participant, ddsc::kTopicOfWriters)),
+      readers_(built_in_reader(participant, ddsc::kTopicOfReaders)) {}
+
+std::vector<DiscoveredEndpoint> DdsDiscovery::writers(const std::string& topic) const {
+  return endpoints(writers_, topic);
+}
+std::vector<DiscoveredEndpoint> DdsDiscovery::readers(const std::string& topic) const {
+  return endpoints(readers_, topic);
+}
+
+std::vector<DiscoveredEndpoint> DdsDiscovery::endpoints(const DdsEntity& reader,
+                                                        const std::string& topic) const {
+  const std::map<ddsc::Guid, std::string> names = owners();
+  std::vector<DiscoveredEndpoint> found;
+  for_each_alive<ddsc::EndpointSample>(
+      functions_, reader, [&](const ddsc::EndpointSample& endpoint) {
+        if (topic != endpoint.topic_name) return;
+        const auto owner = names.find(endpoint.participant_key);
+        found.push_back({endpoint.key, endpoint.type_name,
+                         owner == names.end() ? "participant " + hex(endpoint.participant_key)
+                                              : owner->second});
+      });
+  return found;
+}
+
+std::map<ddsc::Guid, std::string> DdsDiscovery::owners() const {
+  std::map<ddsc::Guid, std::string> names;
+  for_each_alive<ddsc::ParticipantSample>(
+      functions_, participants_,
+      [&](const ddsc::ParticipantSample& p) { names[p.key] = owner_text(p); });
+  return names;
+}
+
+// Cyclone DDS tells the process in properties of the participant; other DDS libraries do not.
+std::string DdsDiscovery::owner_text(const ddsc::ParticipantSample& participant) const {
+  const auto property = [&](const char* name) {
+    char* value = nullptr;
+    if (!functions_.qget_prop(participant.qos, name, &value) || value == nullptr)
+      return std::string();
+    const std::string text = value;
+    functions_.free(value);
+    return text;
+  };
+  const std::string process = property("__ProcessName");
+  if (process.empty()) return "participant " + hex(participant.key);
+  return "process " + process + " (pid " + property("__Pid") + ") on " + property("__Hostname");
+}
+
+}  // namespace surefoot

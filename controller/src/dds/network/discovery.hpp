@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dds/network/participant.hpp"
+
+namespace surefoot {
+
+/// Reader or writer that DDS has discovered, one of this process included.
+struct DiscoveredEndpoint {
+  ddsc::Guid guid;
+  std::string type;   ///< name of its type, such as "unitree_go::msg::dds_::LowCmd_"
+  std::string owner;  ///< its process, such as "process python3 (pid 4242) on robot"
+};
+
+/// Lists the endpoints that DDS has discovered. Not thread-safe. Real-time: no.
+class DdsDiscovery {
+ public:
+  /// Create the readers of the built-in topics. Throws surefoot::Error if libddsc cannot.
+  explicit DdsDiscovery(const DdsParticipant& participant);
+
+  std::vector<DiscoveredEndpoint> writers(const std::string& topic) const;  ///< writers of a topic
+  std::vector<DiscoveredEndpoint> readers(const std::string& topic) const;  ///< readers of a topic
+
+ private:
+  std::vector<DiscoveredEndpoint> endpoints(const DdsEntity& reader,
+                                            const std::string& topic) const;
+  std::map<ddsc::Guid, std::string> owners() const;
+  std::string owner_text(const ddsc::ParticipantSample& participant) const;
+
+  const ddsc::Functions& functions_;
+  DdsEntity participants_, writers_, readers_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/dds_robot.hpp"
+#include "surefoot/low_level.hpp"
+
+namespace surefoot {
+
+/// Return the motor mode in which the motors of a robot follow q, dq, tau, kp and kd. Real-time:
+/// yes. Source: unitree_sdk2, example/go2/go2_low_level.cpp and example/b2/b2_stand_example.cpp.
+constexpr std::uint8_t servo_mode(DdsRobot robot) noexcept {
+  return robot == DdsRobot::kGo2 ? 0x01 : 0x0A;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Count the heap allocations and exceptions of DdsLink::receive() and send() with a libddsc that
+// has none. malloc and its relatives (benchmarks/ticks/memory_counters.cpp) are replaced.
+// Usage: surefoot_dds_allocations FAKE_LIBDDSC
+#include <dlfcn.h>
+
+#include <cstdio>
+
+#include "dds/wire/low_state_conversion.hpp"
+#include "surefoot/dds_link.hpp"
+#include "ticks/memory_counters.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr int kTicks = 1000;
+constexpr int kTimeouts = 100;
+constexpr std::int32_t kTimeout = -10;
+
+int failures = 0;
+void expect(bool condition, const char* text) {
+  std::printf("%s: %s\n", condition ? "ok" : "FAILED", text);
+  failures += condition ? 0 : 1;
+}
+
+// Run ticks with new LowStates, some of which have a wrong CRC, and count allocations.
+// The thread of the link allocates too, so a few ticks may see its allocations.
+int ticks_with_allocations(DdsLink& link, void (*arrive)(const void*), int ticks) {
+  LowState state = init_low_state();
+  LowCmd command = init_low_cmd();
+  int count = 0;
+  for (int k = 0; k < ticks; ++k) {
+    state.tick += 2;
+    DdsLowState wire;
+    to_dds(state, DdsRobot::kGo2, wire);
+    if (k % 10 == 9) wire.crc ^= 1U;
+    arrive(&wire);
+    const long before = bench::heap_allocations();
+    link.receive();
+    link.send(command);
+    count += bench::heap_allocations() != before;
+  }
+  return count;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  void* const fake = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
+  if (fake == nullptr) return 2;
+  const auto arrive = reinterpret_cast<void (*)(const void*)>(dlsym(fake, "fake_arrival"));
+  const auto set_result =
+      reinterpret_cast<void (*)(std::int32_t)>(dlsym(fake, "fake_write_result"));
+  const auto network =
+      std::make_shared<DdsNetwork>(DdsNetworkOptions{"lo", 1, false, argv[1], false});
+  DdsLinkOptions options;
+  options.discovery_time = 0.0;
+  DdsLink link(network, options);
+  const int count = ticks_with_allocations(link, arrive, kTicks);
+  std::printf("%d of %d ticks with allocations\n", count, kTicks);
+  expect(count <= kTicks / 100, "receive() and send() do not allocate");
+  expect(link.counts().valid == kTicks * 9 / 10, "LowStates with a right CRC are valid");
+  expect(link.counts().corrupt == kTicks / 10, "LowStates with a wrong CRC are counted");
+  set_result(kTimeout);
+  ticks_with_allocations(link, arrive, kTimeouts);
+  expect(link.dds_counts().timeouts == kTimeouts, "writes that time out are counted");
+  expect(link.counts().send_failed == kTimeouts, "they count as not sent");
+  return failures == 0 ? 0 : 1;
+}

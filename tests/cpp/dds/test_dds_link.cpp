@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+#include "dds/link/topics.hpp"
+#include "dds/network/endpoints.hpp"
+#include "dds/wire/low_cmd_conversion.hpp"
+#include "dds/wire/low_state_conversion.hpp"
+#include "dds/wire/wire_crc.hpp"
+#include "dds_environment.hpp"
+#include "robot_end.hpp"
+#include "surefoot/dds_link.hpp"
+#include "surefoot/error.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+struct LinkFixture {
+  std::shared_ptr<DdsNetwork> network = test_network();
+  RobotEnd robot{network->participant()};
+  DdsLink link{network, options()};
+  LowCmd torque_command = init_low_cmd();
+  LinkFixture() { torque_command.motorCmd[0].tau = 1.0F; }
+  static DdsLinkOptions options() {
+    DdsLinkOptions o;
+    o.discovery_time = 0.2;
+    return o;
+  }
+  bool receive() {
+    return wait_until([this] { return link.receive(); });
+  }
+  double sent_tau() {
+    link.send(torque_command);
+    pause(5);
+    return robot.tau();
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string all(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(dds_link, *boost::unit_test::precondition(has_libddsc))
+
+BOOST_FIXTURE_TEST_CASE(link_sends_only_damping_before_the_first_valid_state, LinkFixture) {
+  BOOST_TEST(std::isinf(link.state_age()));
+  BOOST_TEST(std::isnan(sent_tau()));
+  DdsLowState blank;
+  std::memset(&blank, 0, sizeof(blank));
+  robot.writer.write(&blank);
+  pause(20);
+  BOOST_TEST(!link.receive());
+  BOOST_TEST(link.counts().corrupt == 1U);
+  BOOST_TEST(std::isnan(sent_tau()));
+  robot.send_state(1);
+  BOOST_TEST(receive());
+  BOOST_TEST(sent_tau() == 1.0);
+  torque_command.motorCmd[0].tau = NAN;
+  BOOST_TEST(std::isnan(sent_tau()));
+  BOOST_TEST(link.counts().refused == 1U);
+}
+
+BOOST_FIXTURE_TEST_CASE(newest_state_is_used_and_others_are_counted, LinkFixture) {
+  for (const std::uint32_t tick : {1, 2, 3, 6, 5, 6, 7}) robot.send_state(tick);
+  pause(20);
+  BOOST_TEST(receive());
+  BOOST_TEST(std::uint32_t(link.state().tick) == 7U);
+  BOOST_TEST(link.counts().valid == 7U);
+  BOOST_TEST(link.counts().reordered == 1U);
+  BOOST_TEST(link.counts().duplicate == 1U);
+  BOOST_TEST(link.counts().lost == 1U);
+  BOOST_TEST(!link.receive());
+}
+
+BOOST_FIXTURE_TEST_CASE(age_includes_the_time_that_a_state_waited, LinkFixture) {
+  link.receive();
+  robot.send_state(1);
+  pause(100);
+  BOOST_TEST(link.receive());
+  BOOST_TEST(link.state_age() > 0.08);
+  BOOST_TEST(link.state_age() < 0.5);
+}
+
+BOOST_FIXTURE_TEST_CASE(missing_crc_is_accepted_and_said, LinkFixture) {
+  link.take_news();
+  robot.send_state(1, false);
+  BOOST_TEST(receive());
+  BOOST_TEST(link.dds_counts().without_crc == 1U);
+  BOOST_TEST(contains(all(link.take_news()), "their CRC is not checked"));
+  BOOST_TEST(link.take_news().empty());
+}
+
+BOOST_FIXTURE_TEST_CASE(tick_that_stands_at_0_is_said_with_the_remedy, LinkFixture) {
+  for (int k = 0; k < 60; ++k) {
+    robot.send_state(0);
+    if (k % 20 == 19) pause(20), link.receive();
+  }
+  BOOST_TEST(link.counts().duplicate == 59U);
+  BOOST_TEST(contains(all(link.take_news()), "--tick arrival"));
+}
+
+BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {
+  const auto network = test_network();
+  RobotEnd robot(network->participant());
+  DdsLinkOptions options = LinkFixture::options();
+  options.tick = TickSource::kArrival;
+  DdsLink link(network, options);
+  robot.send_state(0);
+  BOOST_TEST(wait_until([&] { return link.receive(); }));
+  const std::uint32_t first = link.state().tick;
+  pause(50);
+  robot.send_state(0);
+  BOOST_TEST(wait_until([&] { return link.receive(); }));
+  const double elapsed = link.state().tick - first;
+  BOOST_TEST(elapsed >= 50.0);
+  BOOST_TEST(elapsed < 150.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(other_writer_of_commands_makes_the_link_damp_and_is_named, LinkFixture) {
+  robot.send_state(1);
+  BOOST_TEST(receive());
+  BOOST_TEST(sent_tau() == 1.0);
+  {
+    DdsWriter other(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic);
+    BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
+    BOOST_TEST(std::isnan(sent_tau()));
+    BOOST_TEST(link.dds_counts().conflicts == 1U);
+    BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd found: process "));
+    DdsLinkOptions options = LinkFixture::options();
+    BOOST_CHECK_EXCEPTION(DdsLink(network, options), Error, [](const Error& error) {
+      return contains(error.what(), "rt/lowcmd: got 2 other writer(s) (process ");
+    });
+  }
+  BOOST_TEST(wait_until([this] { return !link.receive() && !link.status().conflict; }));
+  BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd has gone"));
+  BOOST_TEST(sent_tau() == 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(second_robot_makes_the_link_damp, LinkFixture) {
+  robot.send_state(1);
+  BOOST_TEST(receive());
+  const RobotEnd second(network->participant());
+  BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
+  BOOST_TEST(std::isnan(sent_tau()));
+}
+
+BOOST_AUTO_TEST_CASE(writer_of_another_type_is_refused_by_name) {
+  const auto network = test_network();
+  // A type of another name. The layout does not matter, because nothing is written.
+  const dds_topic_descriptor_t humanoid{sizeof(DdsLowState),
+                                        alignof(DdsLowState),
+                                        DDS_TOPIC_FIXED_SIZE,
+                                        0,
+                                        "unitree_hg::msg::dds_::LowState_",
+                                        nullptr,
+                                        unitree_go_msg_dds__LowState__desc.m_nops,
+                                        unitree_go_msg_dds__LowState__desc.m_ops,
+                                        "",
+                                        {nullptr, 0},
+                                        {nullptr, 0},
+                                        0};
+  const DdsWriter writer(network->participant(), humanoid, kStateTopic);
+  BOOST_CHECK_EXCEPTION(DdsLink(network, LinkFixture::options()), Error, [](const Error& error) {
+    return contains(error.what(), "got a writer of type unitree_hg::msg::dds_::LowState_");
+  });
+}
+
+BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
+  const auto network = test_network();
+  DdsLinkOptions options;
+  options.damping_kd = 0.01;
+  BOOST_CHECK_THROW(DdsLink(network, options), Error);
+  options = {};
+  options.discovery_time = NAN;
+  BOOST_CHECK_THROW(DdsLink(network, options), Error);
+  BOOST_CHECK_THROW(DdsLink(nullptr, {}), Error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
