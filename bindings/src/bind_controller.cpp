@@ -202,8 +202,8 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro(
           "power_scale", &Controller::power_scale,
           "Scale s, 0 .. 1, by which power_limit reduced the torques of the last good tick.\n\n"
-          "tau = tau_hold + s (tau_QP - tau_hold). Below 1, status is SATURATED, and\n"
-          "solution still has the torques of the QP. If only swing legs or a runaway leg\n"
+          "tau = tau_hold + s (tau_QP - tau_hold) for the legs that carry. Below 1, status is\n"
+          "SATURATED, and solution has the torques of the QP. If only swing legs or a runaway leg\n"
           "were limited, status is SATURATED and s is 1.")
       .def_prop_ro(
           "gains", [](const Controller& c) { return Gains(c.gains()); },

@@ -26,16 +26,20 @@ void bind_client(nb::module_& m) {
       .def(
           "call",
           [](DdsServiceClient& client, std::int64_t api_id, const std::string& parameter,
-             double timeout) {
-            const ServiceReply reply = client.call(api_id, parameter, timeout);
+             double timeout, bool repeat) {
+            const ServiceReply reply = client.call(api_id, parameter, timeout, repeat);
             return std::pair(reply.code, reply.data);
           },
-          "api_id"_a, "parameter"_a, "timeout"_a, nb::call_guard<nb::gil_scoped_release>(),
+          "api_id"_a, "parameter"_a, "timeout"_a, "repeat"_a = false,
+          nb::call_guard<nb::gil_scoped_release>(),
           "Send a request and wait for its reply.\n\n"
           "Args:\n"
           "    api_id: Number of the function.\n"
           "    parameter: Argument, usually JSON.\n"
-          "    timeout: Longest wait [s].\n\n"
+          "    timeout: Longest wait [s].\n"
+          "    repeat: If True, send the request again every 0.5 s until the reply arrives.\n"
+          "        The first request is lost if the server has not discovered this client yet.\n"
+          "        Only for requests that change nothing, because the server executes each.\n\n"
           "Returns:\n"
           "    Code and data of the reply. Code 0: done; 3102: no server was discovered;\n"
           "    3104: the server has not answered in time.");

@@ -78,6 +78,8 @@ void bind_robot_link(nb::module_& m) {
       .def_prop_ro(
           "last_reject", [](const RobotLink& link) { return to_text(link.last_reject()); },
           "Reason why the last invalid message was rejected, a sentence.")
+      .def_prop_ro("allows_real_robot", &RobotLink::allows_real_robot,
+                   "Whether the link may lead to a real robot: the real_robot of its options.")
       .def_prop_ro(
           "conflict", [](const RobotLink& link) { return link.status().conflict; },
           "True while another program commands the robot, or a second robot sends\n"

@@ -292,13 +292,11 @@ void bind_runner(nb::module_& m) {
       .def(
           "__init__",
           [](Runner* self, const Robot& robot, const std::shared_ptr<RobotLink>& link,
-             const Gains* gains, const ControllerOptions& stand, const RunOptions& options,
-             bool real_robot) {
-            new (self) Runner(robot, gains ? *gains : robot.config().gains, stand, link, options,
-                              real_robot);
+             const Gains* gains, const ControllerOptions& stand, const RunOptions& options) {
+            new (self) Runner(robot, gains ? *gains : robot.config().gains, stand, link, options);
           },
           "robot"_a, "link"_a, "gains"_a = nb::none(), "stand"_a = ControllerOptions(),
-          "options"_a = RunOptions(), "real_robot"_a = false,
+          "options"_a = RunOptions(),
           "Use an open link, such as a DdsLink; run() starts the loop.\n\n"
           "Do not use the link until run() has ended.\n\n"
           "Args:\n"
@@ -307,10 +305,10 @@ void bind_runner(nb::module_& m) {
           "    gains: Gains to use; None: robot.config.gains.\n"
           "    stand: Options of the StandController.\n"
           "    options: Options of the loop.\n"
-          "    real_robot: True if the link leads to a real robot; options.start must then\n"
-          "        be LYING.\n\n"
+          "\n"
           "Raises:\n"
-          "    Error: An option or a gain is invalid, or a real robot is not started LYING.")
+          "    Error: An option or a gain is invalid, or the link allows a real robot and\n"
+          "        options.start is not LYING.")
       .def("run", &run_and_handle_signals,
            "Run the loop.\n\n"
            "The loop ends after stop() or finish(), when the duration is over, if no valid\n"

@@ -166,7 +166,7 @@ def _make_runner(
         stand.power_limit = arguments.power_limit
     gains = read_gains(arguments.gains, description)
     if session:
-        runner = Runner(robot, session.link, gains, stand, options, arguments.real_robot)
+        runner = Runner(robot, session.link, gains, stand, options)
         return runner, robot, generation
     runner = Runner(
         robot,

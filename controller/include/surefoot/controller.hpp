@@ -36,8 +36,8 @@ struct ControllerOptions {
   /// [W] Largest power of a command, sum |tau dq| with the motors' damping included, at the joint
   /// velocities for which the command is computed. Must be > 0; infinity switches the limit off.
   ///
-  /// Above the limit, the torques are scaled towards the holding torques, those of swing legs first.
-  /// If the holding torques alone exceed the limit, the command is not scaled,
+  /// Above the limit, the torques are scaled towards those that hold the robot against gravity, of
+  /// swing legs first. If the holding torques alone exceed the limit, the command is not scaled,
   /// because a robot with too little torque falls, and its motors then take even more power.
   /// Finally, the torques of runaway legs are limited: the power of a leg may rise by at most a
   /// quarter of the limit within the next 15 ms, extrapolated from the acceleration of its joints.
@@ -131,9 +131,9 @@ class Controller {
   /// the robot exceed that limit.
   double command_power() const noexcept;
   /// Scale s, 0 .. 1, by which ControllerOptions::power_limit reduced the torques of the last good
-  /// tick: tau = tau_hold + s (tau_QP - tau_hold). Below 1, status() is kSaturated, and solution()
-  /// still has the torques of the QP. If only swing legs or a runaway leg were limited, status() is
-  /// kSaturated and s is 1.
+  /// tick: tau = tau_hold + s (tau_QP - tau_hold) for the legs that carry. Below 1, status() is
+  /// kSaturated, and solution() still has the torques of the QP. If only swing legs or a runaway
+  /// leg were limited, status() is kSaturated and s is 1.
   double power_scale() const noexcept;
   const Gains& gains() const noexcept;         ///< gains last set, see set_gains()
   const Gains& active_gains() const noexcept;  ///< gains of the last tick, which approach gains()

@@ -68,6 +68,7 @@ class DdsLink final : public RobotLink {
   /// @return how the command was encoded; kNotFinite: damping was sent instead
   FrameReport send(const LowCmd& cmd) noexcept override;
   const LinkStatus& status() const noexcept override;  ///< present state of the link
+  bool allows_real_robot() const noexcept override;    ///< DdsNetworkOptions::real_robot
   const DdsCounts& dds_counts() const noexcept;        ///< counts since the link was opened
 
   /// Return what has changed since the last call, as sentences: peers that came or vanished,

@@ -41,10 +41,12 @@ class DdsServiceClient {
 
   /// Wait for a server; return whether one has been discovered. @param timeout [s]
   bool wait_for_server(double timeout);
-  /// Send a request and wait for its reply. The request is sent again every 0.5 s, with the same
-  /// id, so a server may answer it more than once.
+  /// Send a request and wait for its reply.
   /// @param timeout longest wait [s]
-  ServiceReply call(std::int64_t api_id, const std::string& parameter, double timeout);
+  /// @param repeat true: send it again every 0.5 s until the reply arrives. The first request of a
+  ///   client is lost if the server has not discovered the client yet. Only for requests that
+  ///   change nothing, because the server executes each.
+  ServiceReply call(std::int64_t api_id, const std::string& parameter, double timeout, bool repeat);
 
  private:
   struct Impl;

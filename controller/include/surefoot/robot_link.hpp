@@ -58,6 +58,8 @@ class RobotLink {
   /// @return how the command was encoded; kNotFinite: damping was sent instead
   virtual FrameReport send(const LowCmd& cmd) noexcept = 0;
   virtual const LinkStatus& status() const noexcept = 0;  ///< present state of the link
+  /// Whether the link may lead to a real robot: its options allow more than this machine.
+  virtual bool allows_real_robot() const noexcept = 0;
 
   /// true once a valid LowState has arrived
   bool has_state() const noexcept { return status().has_state; }

@@ -167,12 +167,11 @@ class Runner {
   Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
          const UdpLinkOptions& link, const RunOptions& options);
   /// Use an open link, such as a DdsLink; run() starts the loop. The caller does not use the link
-  /// until run() has ended. Throws surefoot::Error if an option or a gain is invalid, or if a real
-  /// robot is not started with Start::kLying.
-  /// @param link open link to the robot, not null
-  /// @param real_robot true: the link leads to a real robot
+  /// until run() has ended. Throws surefoot::Error if there is no link, if an option or a gain is
+  /// invalid, or if the link allows a real robot and the start is not Start::kLying.
+  /// @param link open link to the robot
   Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
-         std::shared_ptr<RobotLink> link, const RunOptions& options, bool real_robot);
+         std::shared_ptr<RobotLink> link, const RunOptions& options);
   ~Runner();
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;

@@ -46,6 +46,7 @@ class UdpLink final : public RobotLink {
   /// @return how the command was encoded; kNotFinite: damping was sent instead
   FrameReport send(const LowCmd& cmd) noexcept override;
   const LinkStatus& status() const noexcept override;  ///< present state of the link
+  bool allows_real_robot() const noexcept override;    ///< UdpLinkOptions::real_robot
 
   const FrameExtras& extras() const noexcept;  ///< extras of the newest LowState
   int local_port() const noexcept;             ///< local UDP port

@@ -23,10 +23,10 @@ class StepSchedule {
   /// Begin with a trot in which the pair of `leg` lifts off at once.
   void start_recovery(const Gains& gains, int leg) noexcept;
 
-  /// Change a walk to a trot at once. If no foot is in the air, or one of the pair of `leg` in the
-  /// first half of its swing, this pair swings. Otherwise the foot in the air lands first, and the
-  /// pair that it does not belong to lifts off next. A foot that lifts over an obstacle lands first
-  /// too.
+  /// Change a walk to a trot at once. The pair of `leg` swings at once if no foot is in the air, or
+  /// if the foot in the air belongs to it and is in the first half of its swing. Otherwise the foot
+  /// in the air lands first, and the pair that it does not belong to lifts off next. A foot that
+  /// lifts over an obstacle also lands first.
   /// @param velocity of the body trajectory
   void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg,
                     const Stumble& stumble) noexcept;

@@ -96,6 +96,7 @@ FrameReport UdpLink::send(const LowCmd& cmd) noexcept {
 }
 
 const LinkStatus& UdpLink::status() const noexcept { return impl_->intake.status; }
+bool UdpLink::allows_real_robot() const noexcept { return impl_->options.real_robot; }
 const FrameExtras& UdpLink::extras() const noexcept { return impl_->extras; }
 int UdpLink::local_port() const noexcept { return impl_->socket.local_port(); }
 

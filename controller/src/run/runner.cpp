@@ -95,8 +95,9 @@ Runner::Runner(const Robot& robot, const Gains& gains, const ControllerOptions& 
   impl_->local_port = local_port;
 }
 Runner::Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
-               std::shared_ptr<RobotLink> link, const RunOptions& options, bool real_robot) {
-  check_start(options, real_robot);
+               std::shared_ptr<RobotLink> link, const RunOptions& options) {
+  if (link == nullptr) throw Error("link: got none, expected an open link");
+  check_start(options, link->allows_real_robot());
   impl_ = std::make_unique<Impl>(robot, gains, stand, std::move(link), options);
 }
 Runner::~Runner() = default;

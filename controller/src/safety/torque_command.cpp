@@ -89,10 +89,13 @@ LimitedTorques TorqueCommand::limit_swing_legs_first(const Vector12& tau, const 
   }
   LimitedTorques out = limit_power(tau, without_swing, dq, watts, damping_);
   std::swap(out.scale, out.swing_scale);
-  if (out.no_scale_within_limit) {
-    out = limit_power(without_swing, hold, dq, watts, damping_);
-    out.swing_scale = 0.0;
-  }
+  out.swings = swings;
+  if (!out.no_scale_within_limit) return out;
+  // A leg that brakes may take more power with its holding torques. Then all legs are scaled.
+  if (power_of(without_swing, dq, damping_) > power_of(tau, dq, damping_))
+    return limit_power(tau, hold, dq, watts, damping_);
+  out = limit_power(without_swing, hold, dq, watts, damping_);
+  out.swing_scale = 0.0;
   out.swings = swings;
   return out;
 }

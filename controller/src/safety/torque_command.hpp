@@ -37,7 +37,7 @@ class TorqueCommand {
   void set_lost_leg(int leg) noexcept { lost_leg_ = leg; }
 
   /// Set the torques for the next command() to those of a usable solution, and limit their power.
-  /// limited().scale does not include the reduction of runaway legs.
+  /// limited().scale includes neither swing legs, see swing_scale, nor runaway legs.
   /// @return the status of the solution, or kSaturated if the torques were limited
   Status set_torques(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
                      const Reference& reference, const Gains& gains) noexcept;

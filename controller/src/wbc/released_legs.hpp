@@ -10,17 +10,17 @@ namespace surefoot {
 // carries no load. The QP meets foot accelerations exactly. So a stretched leg at its joint limit
 // limits the motion of the body, even if its foot carries no load. With the capture point at the
 // support edge, a stretched front leg without load would turn the robot over the rear foot that
-// still carries load. While the robot steps, a swing foot that must reach further than its joints
-// can move would make the QP throw the body.
-// The three functions below prevent this. In each tick they run in this order:
+// still carries load. While the robot steps, a swing foot with a target that its joints cannot
+// reach would make the QP accelerate the body instead. The three functions below prevent this. In
+// each tick they run in this order:
 //   1. release_unloaded_legs() widens the joint acceleration limits of the leg in the QP;
 //   2. limit_foot_accelerations() reduces the desired foot acceleration to what the leg can do;
 //   3. clamp_released_legs() applies the leg's own limits to the solution of the QP.
 
 /// Widen the joint acceleration limits of unloaded legs, so that they do not limit the body:
 ///   limits.a_widening = 1e4 rad/s^2 share (1 - load),   load = planned load * contact
-/// The share is 1 while the robot steps. Otherwise it is 1 - fade: 0 away from the support edge. For
-/// loaded feet, a_widening is 0. Real-time: yes.
+/// The share is 1 while the robot steps. Otherwise it is 1 - fade: 0 away from the support edge.
+/// For loaded feet, a_widening is 0. Real-time: yes.
 /// @param fade result of edge_fade(), 0 .. 1
 /// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
 /// @param reference planned load of each foot, and whether the robot steps

@@ -14,14 +14,14 @@ BOOST_AUTO_TEST_SUITE(dds_service, *boost::unit_test::precondition(has_libddsc))
 BOOST_AUTO_TEST_CASE(missing_server_is_reported_as_code_3102) {
   DdsServiceClient client(test_network(), "motion_switcher");
   BOOST_TEST(!client.wait_for_server(0.05));
-  BOOST_TEST(client.call(1001, "{}", 0.05).code == kServiceNotFound);
+  BOOST_TEST(client.call(1001, "{}", 0.05, false).code == kServiceNotFound);
 }
 
 BOOST_AUTO_TEST_CASE(server_that_does_not_answer_is_reported_as_code_3104) {
   const auto network = test_network();
   DdsServiceServer server(network, "motion_switcher");
   DdsServiceClient client(network, "motion_switcher");
-  BOOST_TEST(client.call(1001, "{}", 0.2).code == kServiceTimeout);
+  BOOST_TEST(client.call(1001, "{}", 0.7, false).code == kServiceTimeout);
   BOOST_TEST(server.take().has_value());
   BOOST_TEST(!server.take().has_value());
 }
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(reply_has_the_code_and_the_data_of_the_server) {
       pause(1);
     }
   });
-  const ServiceReply reply = client.call(1003, "{\"name\": \"normal\"}", 2.0);
+  const ServiceReply reply = client.call(1003, "{\"name\": \"normal\"}", 2.0, true);
   ended.store(true);
   thread.join();
   BOOST_TEST(reply.code == 7002);

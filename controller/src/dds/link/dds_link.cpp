@@ -148,6 +148,7 @@ FrameReport DdsLink::send(const LowCmd& cmd) noexcept {
 }
 
 const LinkStatus& DdsLink::status() const noexcept { return impl_->intake.status; }
+bool DdsLink::allows_real_robot() const noexcept { return impl_->network->options().real_robot; }
 const DdsCounts& DdsLink::dds_counts() const noexcept { return impl_->counts; }
 
 void DdsLink::Impl::add_silence(std::vector<std::string>& news) {

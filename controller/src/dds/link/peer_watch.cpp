@@ -58,12 +58,17 @@ void PeerWatch::run() {
   }
 }
 
+// Peers that cannot be read count as a conflict: they are unknown.
 void PeerWatch::look() {
   bool conflict = false;
-  for (std::size_t k = 0; k < rules_.size(); ++k) {
-    const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-    conflict = !problem_of(rules_[k], writers).empty() || conflict;
-    report_changes(k, writers);
+  try {
+    for (std::size_t k = 0; k < rules_.size(); ++k) {
+      const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
+      conflict = !problem_of(rules_[k], writers).empty() || conflict;
+      report_changes(k, writers);
+    }
+  } catch (const Error&) {
+    conflict = true;
   }
   conflict_.store(conflict);
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dds/network/discovery.hpp"
 
+#include "surefoot/error.hpp"
+
 namespace surefoot {
 
 namespace {
 
-constexpr std::uint32_t kMaxSamples = 512;  // chosen: more endpoints than a robot and ROS 2 have
+// Number of samples of the first read; it is doubled until all fit. Chosen: more endpoints than a
+// robot and ROS 2 have. Endpoints that have gone leave samples too.
+constexpr std::uint32_t kSamples = 512;
 
 DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic) {
   const ddsc::Functions& f = participant.functions();
@@ -13,19 +17,24 @@ DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic)
                    "DDS reader of a built-in topic");
 }
 
-// Call use(sample) for every participant or endpoint that is alive.
+// Call use(sample) for every participant or endpoint that is alive. Throws surefoot::Error if they
+// cannot be read.
 template <typename Sample, typename Use>
 void for_each_alive(const ddsc::Functions& f, const DdsEntity& reader, Use&& use) {
-  std::vector<void*> samples(kMaxSamples, nullptr);  // nullptr: libddsc lends its memory
-  std::vector<ddsc::SampleInfo> infos(kMaxSamples);
-  const ddsc::Return count =
-      f.read(reader.handle(), samples.data(), infos.data(), kMaxSamples, kMaxSamples);
-  for (ddsc::Return k = 0; k < count; ++k) {
-    const ddsc::SampleInfo& info = infos[static_cast<std::size_t>(k)];
-    if (info.valid_data && info.instance_state == ddsc::kInstanceAlive)
-      use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]));
+  for (std::uint32_t size = kSamples;; size *= 2) {
+    std::vector<void*> samples(size, nullptr);  // nullptr: libddsc lends its memory
+    std::vector<ddsc::SampleInfo> infos(size);
+    const ddsc::Return count = f.read(reader.handle(), samples.data(), infos.data(), size, size);
+    if (count < 0) throw Error("DDS: discovered participants cannot be read: " + to_text(f, count));
+    const bool all = static_cast<std::uint32_t>(count) < size;
+    for (ddsc::Return k = 0; all && k < count; ++k) {
+      const ddsc::SampleInfo& info = infos[static_cast<std::size_t>(k)];
+      if (info.valid_data && info.instance_state == ddsc::kInstanceAlive)
+        use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]));
+    }
+    if (count > 0) f.return_loan(reader.handle(), samples.data(), count);
+    if (all) return;
   }
-  if (count > 0) f.return_loan(reader.handle(), samples.data(), count);
 }
 
 std::string hex(const ddsc::Guid& guid) {

@@ -22,6 +22,7 @@ class DdsDiscovery {
   /// Create the readers of the built-in topics. Throws surefoot::Error if libddsc cannot.
   explicit DdsDiscovery(const DdsParticipant& participant);
 
+  // Both throw surefoot::Error if libddsc cannot read them.
   std::vector<DiscoveredEndpoint> writers(const std::string& topic) const;  ///< writers of a topic
   std::vector<DiscoveredEndpoint> readers(const std::string& topic) const;  ///< readers of a topic
 

@@ -39,6 +39,9 @@ class DdsParticipant {
   /// untested, or if it is already in the domain.
   /// @param config settings of Cyclone DDS, XML
   DdsParticipant(DdsLibrary library, int domain, const std::string& config);
+  // Entities point to the functions in library_.
+  DdsParticipant(const DdsParticipant&) = delete;
+  DdsParticipant& operator=(const DdsParticipant&) = delete;
 
   const DdsLibrary& library() const noexcept { return library_; }
   const ddsc::Functions& functions() const noexcept { return library_.functions; }

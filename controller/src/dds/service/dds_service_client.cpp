@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "common/clock.hpp"
@@ -12,8 +13,7 @@ namespace surefoot {
 namespace {
 
 constexpr auto kPollPeriod = std::chrono::milliseconds(2);  // chosen; a person waits anyway
-// [s] Time after which a request is sent again. The first one is lost if the server has not
-// discovered this client yet. Chosen: longer than a server needs to answer.
+// [s] Time after which a request is sent again. Chosen: longer than a server needs to answer.
 constexpr double kRepeatTime = 0.5;
 
 // Call done() until it returns true, for at most `timeout` [s]; return whether it did.
@@ -59,7 +59,7 @@ bool DdsServiceClient::wait_for_server(double timeout) {
 }
 
 ServiceReply DdsServiceClient::call(std::int64_t api_id, const std::string& parameter,
-                                    double timeout) {
+                                    double timeout, bool repeat) {
   Impl& s = *impl_;
   const double start = monotonic_time();
   if (!wait_for_server(timeout)) return {kServiceNotFound, ""};
@@ -73,7 +73,7 @@ ServiceReply DdsServiceClient::call(std::int64_t api_id, const std::string& para
   poll_until(timeout - (monotonic_time() - start), [&] {
     if (monotonic_time() >= send_time) {
       s.writer.write(&request);
-      send_time += kRepeatTime;
+      send_time = repeat ? send_time + kRepeatTime : std::numeric_limits<double>::infinity();
     }
     bool answered = false;
     const auto read = [&](const DdsResponse& response) {

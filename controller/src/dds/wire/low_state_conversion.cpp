@@ -25,7 +25,7 @@ void check_floats(const DdsLowState& state, FrameReport& report) noexcept {
   for (const float value : imu.gyroscope) check_finite(value, "gyroscope", -1, report);
   for (const float value : imu.accelerometer) check_finite(value, "accelerometer", -1, report);
   for (const float value : imu.rpy) check_finite(value, "rpy", -1, report);
-  for (int i = 0; i < kMotorSlots; ++i) {
+  for (int i = 0; i < kMotors; ++i) {  // the slots behind them belong to no motor
     const DdsMotorState& motor = state.motor_state[i];
     check_finite(motor.q, "q", i, report);
     check_finite(motor.dq, "dq", i, report);
