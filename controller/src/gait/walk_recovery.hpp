@@ -11,7 +11,7 @@ namespace surefoot {
 ///
 /// A push moves the capture point from its planned place by e. To keep e from growing, the
 /// zero-moment point must move by e from its planned place too. If it would leave the polygon of
-/// the stance feet, the robot must step. An error below 0.1 h needs no step. Source: Englsberger,
+/// the stance feet, the robot must step. An error below 0.15 h needs no step. Source: Englsberger,
 /// Ott, Albu-Schaeffer 2015.
 class WalkRecovery {
  public:
