@@ -94,7 +94,7 @@ def turned(root: ET.Element) -> None:
         hip.set("pos", f"{-float(x)} {-float(y)} {z}")
 
 
-def edited(folder: Path, *edits: Edit, text: Callable[[str], str] | None = None) -> Path:
+def edited(folder: Path, *edits: Edit) -> Path:
     path = write_mjcf(folder / "robot.xml")
     root = ET.parse(path).getroot()
     for edit in edits:
@@ -120,6 +120,10 @@ REFUSED: dict[str, tuple[list[Edit], tuple[str, ...]]] = {
     "foot box": (
         [put("geom", "RR_foot", type="box", size="0.02 0.02 0.02")],
         ("geom 'RR_foot'", "got a box", "sphere"),
+    ),
+    "foot capsule across the leg": (
+        [put("geom", "RR_foot", type="capsule", size="0.02 0.03", euler="90 0 0")],
+        ("geom 'RR_foot'", "got a capsule across the leg", "replace it by a sphere"),
     ),
     "feet of two sizes": ([put("geom", "RL_foot", size="0.03")], ("'RL_foot'", "0.03", "0.02")),
     "foot that collides with nothing": (
