@@ -6,9 +6,11 @@ from __future__ import annotations
 import json
 import re
 import sys
+import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 import surefoot
@@ -107,7 +109,10 @@ def test_actuators_and_keyframes_of_the_file_have_no_effect(
     other = tmp_path / "other.xml"
     text = re.sub(r"<actuator>.*</actuator>", "", files["ours"].read_text(), flags=re.DOTALL)
     position = '<position name="p" joint="FR_calf_joint" kp="500"/>'
-    other.write_text(text.replace("</mujoco>", f"<actuator>{position}</actuator></mujoco>"))
+    pose = " ".join(["0 0 0.6 1 0 0 0", *["0.2"] * 12])
+    keyframe = f'<keyframe><key name="home" qpos="{pose}"/></keyframe>'
+    added = f"<actuator>{position}</actuator>{keyframe}"
+    other.write_text(text.replace("</mujoco>", f"{added}</mujoco>"))
     assert np.array_equal(stand(files["ours"], 0.2).commands, stand(other, 0.2).commands)
 
 
@@ -119,6 +124,72 @@ def test_foot_without_a_ground_stands_on_a_plane_with_its_own_friction(
     plant = Plant("go1", COARSE, mjcf=path)
     assert plant.friction == 0.4
     assert plant.mapping is not None and "a plane is added" in plant.mapping.ground
+
+
+def unusual_defaults(spec: mujoco.MjSpec) -> None:
+    """Set the default class "main"; the elements of the file keep their values."""
+    geom, joint, tendon = spec.default.geom, spec.default.joint, spec.default.tendon
+    geom.contype = geom.conaffinity = 0
+    geom.priority, geom.margin, geom.solref, geom.solimp = 1, 0.05, [0.5, 1.0], [0.1] * 5
+    joint.stiffness, joint.ref, joint.springref = [50.0, 0.0, 0.0], 0.3, 0.4
+    joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, [-0.1, 0.1]
+    tendon.stiffness, tendon.frictionloss, tendon.margin = [50.0, 0.0, 0.0], 1.0, 0.1
+
+
+def test_added_plane_and_rotors_do_not_take_the_default_class_of_the_file(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    paths = tmp_path / "ours.xml", write_mjcf(tmp_path / "defaults.xml", unusual_defaults)
+    assert '<geom contype="0" conaffinity="0"' in paths[1].read_text()
+    texts = files["ours"].read_text(), paths[1].read_text()
+    for path, text in zip(paths, texts, strict=True):
+        path.write_text(re.sub(r'<geom name="ground"[^>]*/>', "", text))
+    settings = PlantSettings(physics_dt=0.001, sensors="ideal", backlash_deg=0.3)
+    ours, theirs = (Plant("go1", settings, mjcf=path) for path in paths)
+    assert np.allclose(ours.data.qpos, theirs.data.qpos, atol=1e-9)
+    assert theirs.friction == 0.8
+    assert theirs.truth.foot_forces[2].sum() == pytest.approx(9.81 * ours.robot.mass, rel=0.02)
+
+
+@pytest.mark.parametrize(("friction", "dimension"), [("0.3 0.5 0 0 0", 3), ("0.8 0.8 0 0 0", 1)])
+def test_friction_is_the_smaller_of_two_directions_and_zero_for_condim_1(
+    tmp_path: Path, files: dict[str, Path], friction: str, dimension: int
+) -> None:
+    path = tmp_path / "robot.xml"
+    pair = f'<pair geom1="FR_foot" geom2="ground" condim="{dimension}" friction="{friction}"/>'
+    text = files["ours"].read_text()
+    path.write_text(text.replace("</mujoco>", f"<contact>{pair}</contact></mujoco>"))
+    assert Plant("go1", COARSE, mjcf=path).friction == (0.3 if dimension == 3 else 0.0)
+
+
+def test_bodies_fixed_to_a_calf_may_touch_the_ground(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    root = ET.parse(files["ours"]).getroot()
+    calf = root.find(".//body[@name='RL_calf']")
+    assert calf is not None
+    shin = '<body pos="0 0 -0.1"><geom name="shin" size="0.01" mass="0"/></body>'
+    calf.append(ET.fromstring(shin))
+    path.write_text(ET.tostring(root, encoding="unicode"))
+    plant = Plant("go1", COARSE, mjcf=path)
+    assert plant.model.geom("shin").id in plant.handles.calf_geoms
+
+
+def test_foot_that_is_a_capsule_along_the_calf_stands_on_its_lower_end(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    text = re.sub(
+        r'(<geom name="\w\w_foot") size="0.02"( pos="[^"]*")?',
+        r'\1 type="capsule" size="0.02" fromto="0 0 0.1 0 0 0"',
+        files["ours"].read_text(),
+    )
+    assert text.count("capsule") == 4
+    path.write_text(text)
+    plant, ours = Plant("go1", COARSE, mjcf=path), Plant("go1", COARSE, mjcf=files["ours"])
+    assert np.allclose(plant.truth.p_world_feet, ours.truth.p_world_feet, atol=1e-3)
+    assert plant.handles.foot_radius == 0.02
 
 
 def test_feet_that_collide_by_contact_pairs_stand_with_the_friction_of_the_pairs(
@@ -207,6 +278,7 @@ def test_simulation_that_diverges_counts_as_a_fall(files: dict[str, Path]) -> No
     plant.data.qvel[:] = 1e12
     for _ in range(10):
         plant.step(surefoot.LowCmd())
+    assert not np.isfinite(plant.data.qpos).all()
     assert plant.truth.fell
 
 
