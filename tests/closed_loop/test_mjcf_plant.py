@@ -240,7 +240,9 @@ def test_payload_backlash_and_scales_act_on_the_robot_of_the_file(files: dict[st
 
 def test_legs_of_another_robot_are_refused(tmp_path: Path) -> None:
     path = write_mjcf(tmp_path / "robot.xml", robot="b1")
-    with pytest.raises(Error, match=r"thigh of 'go1' is 0\.213 m long, in the file 0\.350 m"):
+    with pytest.raises(
+        Error, match=r"thigh of leg FR of 'go1' is 0\.213 m long, in the file 0\.350 m"
+    ):
         Plant("go1", mjcf=path)
 
 

@@ -49,8 +49,8 @@ def find_feet(model: mujoco.MjModel, tree: Tree, ground: Ground) -> tuple[Foot, 
     among them, it is one of these.
 
     Raises:
-        Error: A leg has no such geom, it is neither a sphere nor a capsule along the calf, it does not
-            collide with the ground, or the radii differ.
+        Error: A leg has no such geom, it is neither a sphere nor a capsule along the calf, it
+            does not collide with the ground, or the radii differ.
     """
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
