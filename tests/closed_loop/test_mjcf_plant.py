@@ -7,6 +7,7 @@ import json
 import re
 import sys
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -24,12 +25,14 @@ from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.stand import StandSettings, parse_push, run_stand, summarise
 from surefoot.tune.live.simulation import Simulation
 from surefoot.walk import WalkSettings, parse_velocity, run_walk
+from surefoot.walk.commands import command_figures
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from foreign_mjcf import VARIANTS, write_mjcf
+from foreign_mjcf import VARIANTS, bent_pose, other_axes, write_mjcf
 
 COARSE = PlantSettings(physics_dt=0.001, seed=1)
+WALKING = replace(COARSE, walking_sensors=True)
 
 
 @pytest.fixture(scope="module")
@@ -59,6 +62,27 @@ def test_our_own_model_moves_as_our_own_plant(files: dict[str, Path], name: str)
     assert ours.lip_limit == pytest.approx(theirs.lip_limit, rel=1e-3)
 
 
+def test_file_with_other_axes_and_zeros_in_degrees_moves_as_our_own_plant(
+    tmp_path: Path,
+) -> None:
+    path = write_mjcf(tmp_path / "robot.xml", bent_pose, other_axes)
+    root = ET.parse(path).getroot()
+    compiler = root.find("compiler")
+    assert compiler is not None and compiler.get("angle") == "radian"
+    compiler.set("angle", "degree")
+    for joint in root.iter("joint"):
+        if "range" in joint.attrib:
+            low, high = np.degrees([float(text) for text in joint.attrib["range"].split()])
+            joint.set("range", f"{low:.9g} {high:.9g}")
+    path.write_text(ET.tostring(root, encoding="unicode"))
+    ours, theirs = stand(None, 0.5), stand(path, 0.5)
+    assert np.abs(ours.q_true - theirs.q_true).max() < 1e-3
+    plants = Plant("go1", COARSE), Plant("go1", COARSE, mjcf=path)
+    names = plants[0].robot.config.joint_names
+    ranges = [np.array([plant.model.joint(name).range for name in names]) for plant in plants]
+    assert np.allclose(*ranges, atol=1e-4)
+
+
 @pytest.mark.parametrize("name", VARIANTS)
 def test_robot_stands_after_a_push_of_50_percent(files: dict[str, Path], name: str) -> None:
     log = stand(files[name], 3.0, "lateral:50%:0.1@0.5")
@@ -68,12 +92,21 @@ def test_robot_stands_after_a_push_of_50_percent(files: dict[str, Path], name: s
 @pytest.mark.slow
 @pytest.mark.parametrize("name", VARIANTS)
 def test_robot_walks_at_a_half_metre_per_second(files: dict[str, Path], name: str) -> None:
-    plant = PlantSettings(physics_dt=0.001, seed=1, walking_sensors=True, soft_soles=True)
     robot = describe_robot("go1").with_mjcf(files[name])
     velocities = (parse_velocity("0.5,0,0@0.5"),)
-    log = run_walk(WalkSettings(robot, 5.0, plant, velocities=velocities))
+    log = run_walk(WalkSettings(robot, 5.0, WALKING, velocities=velocities))
     assert not log.fell
     assert log.com_velocity[1500:, 0].mean() == pytest.approx(0.5, abs=0.08)
+
+
+@pytest.mark.slow
+def test_robot_walks_sideways_and_turns_on_a_slippery_floor(files: dict[str, Path]) -> None:
+    robot = describe_robot("go1").with_mjcf(files["friction 0.4"])
+    velocities = tuple(parse_velocity(text) for text in ("0,0.3,0@0.5", "0,0,1@3"))
+    log = run_walk(WalkSettings(robot, 5.5, WALKING, velocities=velocities))
+    assert not log.fell
+    for command in command_figures(log):
+        assert command["velocity_rmse"].max() <= 0.08, command
 
 
 def test_masses_joints_and_contacts_are_those_of_the_file(files: dict[str, Path]) -> None:

@@ -273,6 +273,15 @@ def test_command_robots_prints_the_mapping(
     assert "site 'imu' by its name" in printed and "RL_calf_joint" in printed
 
 
+def test_check_of_a_robot_and_the_mapping_are_both_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write_mjcf(tmp_path / "robot.xml")
+    assert main(["robots", "--check", "go1", "--mjcf", str(path)]) == 0
+    printed = capsys.readouterr().out
+    assert "MuJoCo and Pinocchio differ" in printed and printed.endswith(f"\n\n{mapping(path)}\n")
+
+
 def test_other_rotor_inertia_and_a_braked_base_are_doubts(tmp_path: Path) -> None:
     found = mapping(edited(tmp_path, put("joint", "RR_calf_joint", armature="0.05"), braked_base))
     assert len(found.doubts) == 2
