@@ -128,7 +128,7 @@ def gait_walk_rows() -> list[Row]:
             )
             for heading in (0, 180)
         ),
-        *(across_slope_row(f"walk: slope 20 deg, {h} deg", t) for h, t in ((90, 1.0), (270, -1.0))),
+        *(across_slope_row(f"walk: slope 20 deg, {h} deg", t) for h, t in ((90, -1.0), (270, 1.0))),
         row("platform 8 cm", (0.2, 0, 0), check_upright, 25.0, terrain=Terrain(step_height=0.08)),
     ]
 
@@ -136,8 +136,8 @@ def gait_walk_rows() -> list[Row]:
 def across_slope_row(name: str, turn: float) -> Row:
     """Return the row of a gait walk across a slope of 20 deg.
 
-    The robot stands facing uphill, because in the standing pose it would fall over across the slope
-    before the first command. It turns on the slope.
+    Across the slope, the standing pose would tip over before the first command. So the robot stands
+    facing uphill and turns on the slope.
 
     Args:
         name: Name of the row.

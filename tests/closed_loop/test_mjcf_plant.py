@@ -6,9 +6,12 @@ from __future__ import annotations
 import json
 import re
 import sys
+import xml.etree.ElementTree as ET
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 import surefoot
@@ -22,12 +25,14 @@ from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.stand import StandSettings, parse_push, run_stand, summarise
 from surefoot.tune.live.simulation import Simulation
 from surefoot.walk import WalkSettings, parse_velocity, run_walk
+from surefoot.walk.commands import command_figures
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from foreign_mjcf import VARIANTS, write_mjcf
+from foreign_mjcf import VARIANTS, bent_pose, other_axes, write_mjcf
 
 COARSE = PlantSettings(physics_dt=0.001, seed=1)
+WALKING = replace(COARSE, walking_sensors=True)
 
 
 @pytest.fixture(scope="module")
@@ -57,6 +62,27 @@ def test_our_own_model_moves_as_our_own_plant(files: dict[str, Path], name: str)
     assert ours.lip_limit == pytest.approx(theirs.lip_limit, rel=1e-3)
 
 
+def test_file_with_other_axes_and_zeros_in_degrees_moves_as_our_own_plant(
+    tmp_path: Path,
+) -> None:
+    path = write_mjcf(tmp_path / "robot.xml", bent_pose, other_axes)
+    root = ET.parse(path).getroot()
+    compiler = root.find("compiler")
+    assert compiler is not None and compiler.get("angle") == "radian"
+    compiler.set("angle", "degree")
+    for joint in root.iter("joint"):
+        if "range" in joint.attrib:
+            low, high = np.degrees([float(text) for text in joint.attrib["range"].split()])
+            joint.set("range", f"{low:.9g} {high:.9g}")
+    path.write_text(ET.tostring(root, encoding="unicode"))
+    ours, theirs = stand(None, 0.5), stand(path, 0.5)
+    assert np.abs(ours.q_true - theirs.q_true).max() < 1e-3
+    plants = Plant("go1", COARSE), Plant("go1", COARSE, mjcf=path)
+    names = plants[0].robot.config.joint_names
+    ranges = [np.array([plant.model.joint(name).range for name in names]) for plant in plants]
+    assert np.allclose(*ranges, atol=1e-4)
+
+
 @pytest.mark.parametrize("name", VARIANTS)
 def test_robot_stands_after_a_push_of_50_percent(files: dict[str, Path], name: str) -> None:
     log = stand(files[name], 3.0, "lateral:50%:0.1@0.5")
@@ -66,12 +92,21 @@ def test_robot_stands_after_a_push_of_50_percent(files: dict[str, Path], name: s
 @pytest.mark.slow
 @pytest.mark.parametrize("name", VARIANTS)
 def test_robot_walks_at_a_half_metre_per_second(files: dict[str, Path], name: str) -> None:
-    plant = PlantSettings(physics_dt=0.001, seed=1, walking_sensors=True, soft_soles=True)
     robot = describe_robot("go1").with_mjcf(files[name])
     velocities = (parse_velocity("0.5,0,0@0.5"),)
-    log = run_walk(WalkSettings(robot, 5.0, plant, velocities=velocities))
+    log = run_walk(WalkSettings(robot, 5.0, WALKING, velocities=velocities))
     assert not log.fell
     assert log.com_velocity[1500:, 0].mean() == pytest.approx(0.5, abs=0.08)
+
+
+@pytest.mark.slow
+def test_robot_walks_sideways_and_turns_on_a_slippery_floor(files: dict[str, Path]) -> None:
+    robot = describe_robot("go1").with_mjcf(files["friction 0.4"])
+    velocities = tuple(parse_velocity(text) for text in ("0,0.3,0@0.5", "0,0,1@3"))
+    log = run_walk(WalkSettings(robot, 5.5, WALKING, velocities=velocities))
+    assert not log.fell
+    for command in command_figures(log):
+        assert command["velocity_rmse"].max() <= 0.08, command
 
 
 def test_masses_joints_and_contacts_are_those_of_the_file(files: dict[str, Path]) -> None:
@@ -107,7 +142,10 @@ def test_actuators_and_keyframes_of_the_file_have_no_effect(
     other = tmp_path / "other.xml"
     text = re.sub(r"<actuator>.*</actuator>", "", files["ours"].read_text(), flags=re.DOTALL)
     position = '<position name="p" joint="FR_calf_joint" kp="500"/>'
-    other.write_text(text.replace("</mujoco>", f"<actuator>{position}</actuator></mujoco>"))
+    pose = " ".join(["0 0 0.6 1 0 0 0", *["0.2"] * 12])
+    keyframe = f'<keyframe><key name="home" qpos="{pose}"/></keyframe>'
+    added = f"<actuator>{position}</actuator>{keyframe}"
+    other.write_text(text.replace("</mujoco>", f"{added}</mujoco>"))
     assert np.array_equal(stand(files["ours"], 0.2).commands, stand(other, 0.2).commands)
 
 
@@ -119,6 +157,72 @@ def test_foot_without_a_ground_stands_on_a_plane_with_its_own_friction(
     plant = Plant("go1", COARSE, mjcf=path)
     assert plant.friction == 0.4
     assert plant.mapping is not None and "a plane is added" in plant.mapping.ground
+
+
+def unusual_defaults(spec: mujoco.MjSpec) -> None:
+    """Set the default class "main"; the elements of the file keep their values."""
+    geom, joint, tendon = spec.default.geom, spec.default.joint, spec.default.tendon
+    geom.contype = geom.conaffinity = 0
+    geom.priority, geom.margin, geom.solref, geom.solimp = 1, 0.05, [0.5, 1.0], [0.1] * 5
+    joint.stiffness, joint.ref, joint.springref = [50.0, 0.0, 0.0], 0.3, 0.4
+    joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, [-0.1, 0.1]
+    tendon.stiffness, tendon.frictionloss, tendon.margin = [50.0, 0.0, 0.0], 1.0, 0.1
+
+
+def test_added_plane_and_rotors_do_not_take_the_default_class_of_the_file(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    paths = tmp_path / "ours.xml", write_mjcf(tmp_path / "defaults.xml", unusual_defaults)
+    assert '<geom contype="0" conaffinity="0"' in paths[1].read_text()
+    texts = files["ours"].read_text(), paths[1].read_text()
+    for path, text in zip(paths, texts, strict=True):
+        path.write_text(re.sub(r'<geom name="ground"[^>]*/>', "", text))
+    settings = PlantSettings(physics_dt=0.001, sensors="ideal", backlash_deg=0.3)
+    ours, theirs = (Plant("go1", settings, mjcf=path) for path in paths)
+    assert np.allclose(ours.data.qpos, theirs.data.qpos, atol=1e-9)
+    assert theirs.friction == 0.8
+    assert theirs.truth.foot_forces[2].sum() == pytest.approx(9.81 * ours.robot.mass, rel=0.02)
+
+
+@pytest.mark.parametrize(("friction", "dimension"), [("0.3 0.5 0 0 0", 3), ("0.8 0.8 0 0 0", 1)])
+def test_friction_is_the_smaller_of_two_directions_and_zero_for_condim_1(
+    tmp_path: Path, files: dict[str, Path], friction: str, dimension: int
+) -> None:
+    path = tmp_path / "robot.xml"
+    pair = f'<pair geom1="FR_foot" geom2="ground" condim="{dimension}" friction="{friction}"/>'
+    text = files["ours"].read_text()
+    path.write_text(text.replace("</mujoco>", f"<contact>{pair}</contact></mujoco>"))
+    assert Plant("go1", COARSE, mjcf=path).friction == (0.3 if dimension == 3 else 0.0)
+
+
+def test_bodies_fixed_to_a_calf_may_touch_the_ground(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    root = ET.parse(files["ours"]).getroot()
+    calf = root.find(".//body[@name='RL_calf']")
+    assert calf is not None
+    shin = '<body pos="0 0 -0.1"><geom name="shin" size="0.01" mass="0"/></body>'
+    calf.append(ET.fromstring(shin))
+    path.write_text(ET.tostring(root, encoding="unicode"))
+    plant = Plant("go1", COARSE, mjcf=path)
+    assert plant.model.geom("shin").id in plant.handles.calf_geoms
+
+
+def test_foot_that_is_a_capsule_along_the_calf_stands_on_its_lower_end(
+    tmp_path: Path, files: dict[str, Path]
+) -> None:
+    path = tmp_path / "robot.xml"
+    text = re.sub(
+        r'(<geom name="\w\w_foot") size="0.02"( pos="[^"]*")?',
+        r'\1 type="capsule" size="0.02" fromto="0 0 0.1 0 0 0"',
+        files["ours"].read_text(),
+    )
+    assert text.count("capsule") == 4
+    path.write_text(text)
+    plant, ours = Plant("go1", COARSE, mjcf=path), Plant("go1", COARSE, mjcf=files["ours"])
+    assert np.allclose(plant.truth.p_world_feet, ours.truth.p_world_feet, atol=1e-3)
+    assert plant.handles.foot_radius == 0.02
 
 
 def test_feet_that_collide_by_contact_pairs_stand_with_the_friction_of_the_pairs(
@@ -169,7 +273,9 @@ def test_payload_backlash_and_scales_act_on_the_robot_of_the_file(files: dict[st
 
 def test_legs_of_another_robot_are_refused(tmp_path: Path) -> None:
     path = write_mjcf(tmp_path / "robot.xml", robot="b1")
-    with pytest.raises(Error, match=r"thigh of 'go1' is 0\.213 m long, in the file 0\.350 m"):
+    with pytest.raises(
+        Error, match=r"thigh of leg FR of 'go1' is 0\.213 m long, in the file 0\.350 m"
+    ):
         Plant("go1", mjcf=path)
 
 
@@ -207,6 +313,7 @@ def test_simulation_that_diverges_counts_as_a_fall(files: dict[str, Path]) -> No
     plant.data.qvel[:] = 1e12
     for _ in range(10):
         plant.step(surefoot.LowCmd())
+    assert not np.isfinite(plant.data.qpos).all()
     assert plant.truth.fell
 
 

@@ -94,7 +94,7 @@ def turned(root: ET.Element) -> None:
         hip.set("pos", f"{-float(x)} {-float(y)} {z}")
 
 
-def edited(folder: Path, *edits: Edit, text: Callable[[str], str] | None = None) -> Path:
+def edited(folder: Path, *edits: Edit) -> Path:
     path = write_mjcf(folder / "robot.xml")
     root = ET.parse(path).getroot()
     for edit in edits:
@@ -121,6 +121,10 @@ REFUSED: dict[str, tuple[list[Edit], tuple[str, ...]]] = {
         [put("geom", "RR_foot", type="box", size="0.02 0.02 0.02")],
         ("geom 'RR_foot'", "got a box", "sphere"),
     ),
+    "foot capsule across the leg": (
+        [put("geom", "RR_foot", type="capsule", size="0.02 0.03", euler="90 0 0")],
+        ("geom 'RR_foot'", "got a capsule across the leg", "replace it by a sphere"),
+    ),
     "feet of two sizes": ([put("geom", "RL_foot", size="0.03")], ("'RL_foot'", "0.03", "0.02")),
     "foot that collides with nothing": (
         [put("geom", "FR_foot", contype="8", conaffinity="8")],
@@ -140,6 +144,13 @@ REFUSED: dict[str, tuple[list[Edit], tuple[str, ...]]] = {
         [add("mujoco", '<option><flag contact="disable"/></option>')],
         ("flag 'contact'", "enable"),
     ),
+    **{
+        f"{flag} off": (
+            [add("mujoco", f'<option><flag {flag}="disable"/></option>')],
+            (f"flag '{flag}'", "enable"),
+        )
+        for flag in ("damper", "spring", "frictionloss", "limit")
+    },
     "mesh that is missing": (
         [
             add("mujoco", '<asset><mesh name="shell" file="shell.stl"/></asset>'),
@@ -262,6 +273,15 @@ def test_command_robots_prints_the_mapping(
     assert "site 'imu' by its name" in printed and "RL_calf_joint" in printed
 
 
+def test_check_of_a_robot_and_the_mapping_are_both_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write_mjcf(tmp_path / "robot.xml")
+    assert main(["robots", "--check", "go1", "--mjcf", str(path)]) == 0
+    printed = capsys.readouterr().out
+    assert "MuJoCo and Pinocchio differ" in printed and printed.endswith(f"\n\n{mapping(path)}\n")
+
+
 def test_other_rotor_inertia_and_a_braked_base_are_doubts(tmp_path: Path) -> None:
     found = mapping(edited(tmp_path, put("joint", "RR_calf_joint", armature="0.05"), braked_base))
     assert len(found.doubts) == 2
@@ -269,7 +289,28 @@ def test_other_rotor_inertia_and_a_braked_base_are_doubts(tmp_path: Path) -> Non
     assert "free joint of body 'base' has damping" in found.doubts[1]
 
 
+def test_hip_elsewhere_and_one_longer_calf_are_doubts_that_name_the_leg(tmp_path: Path) -> None:
+    hip = put("body", "RL_hip", pos="-0.1881 0.07 0")
+    knee, foot = (put("body", f"RR_{part}", pos="0 0 -0.25") for part in ("calf", "foot"))
+    found = mapping(edited(tmp_path, hip, knee, foot))
+    assert [doubt.split(" is ")[0] for doubt in found.doubts] == [
+        "thigh of leg RR of 'go1'",
+        "calf of leg RR of 'go1'",
+        "hip of leg RL",
+    ]
+    assert "in the file at (-0.188, 0.070, 0.000) m" in found.doubts[2]
+
+
+def test_fluid_and_compensated_gravity_of_the_file_are_notes(tmp_path: Path) -> None:
+    fluid = option(density="1.2", viscosity="2e-5", wind="3 0 0")
+    text = str(mapping(edited(tmp_path, fluid, put("body", "trunk", gravcomp="0.5"))))
+    assert "cancels this share of gravity: 0.5 in 'trunk'" in text
+    assert "density 1.2, viscosity 2e-05 and wind 3 0 0 of the file are used" in text
+    assert "friction, soft_soles and leg_collisions are those of the file's contacts" in text
+
+
 def test_legs_of_another_robot_are_a_doubt(tmp_path: Path) -> None:
     found = mapping(write_mjcf(tmp_path / "robot.xml", robot="b1"), "go1")
-    assert len(found.doubts) >= 2 and "thigh of 'go1'" in found.doubts[0]
+    assert len(found.doubts) >= 3 and "thigh of leg FR of 'go1'" in found.doubts[0]
+    assert "hip of leg FR is at (0.188, -0.047, 0.000) m, in the file at (" in found.doubts[2]
     assert np.isclose(found.mass, 55.7, atol=0.2)

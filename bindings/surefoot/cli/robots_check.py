@@ -41,8 +41,8 @@ def robots(arguments: argparse.Namespace) -> None:
     Raises:
         Error: A wrong argument, or the robot or the MJCF cannot be loaded.
     """
-    if arguments.mjcf is not None:
-        _print_mapping(arguments)
+    if arguments.check is None and arguments.mjcf is not None:
+        _print_mapping(arguments, describe_robot(arguments.robot or "go1"))
         return
     if arguments.check is None:
         if arguments.config is not None or arguments.robot is not None:
@@ -55,19 +55,18 @@ def robots(arguments: argparse.Namespace) -> None:
     _print_tables(report)
     doubts = [*report.doubts, *_compare_with_plant(report, description)]
     print("\n".join(["", "doubts:", *(f"  {doubt}" for doubt in doubts or ["none"])]))
+    if arguments.mjcf is not None:
+        print()
+        _print_mapping(arguments, description)
 
 
-def _print_mapping(arguments: argparse.Namespace) -> None:
+def _print_mapping(arguments: argparse.Namespace, description: RobotDescription) -> None:
     try:
         from surefoot.sim.mjcf.describe import describe_mjcf
     except ModuleNotFoundError as problem:
         raise missing_module("robots", problem) from None
     if arguments.config is not None and arguments.check is None:
         raise Error("--config: got it with --mjcf alone, expected --check FILE.urdf too")
-    if arguments.check is None:
-        description = describe_robot(arguments.robot or "go1")
-    else:
-        description = _description(arguments)
     print(describe_mjcf(description.with_mjcf(arguments.mjcf)))
 
 

@@ -19,11 +19,11 @@ def foot_friction(data: mujoco.MjData, handles: Handles) -> float:
         handles: Indices into the model.
 
     Returns:
-        The coefficient; NaN if no foot touches the ground.
+        The coefficient; 0 for contacts of condim 1; NaN if no foot touches the ground.
     """
     ground, feet = {*handles.ground_geoms, *handles.terrain_geoms}, set(handles.foot_geoms.tolist())
     values = [
-        float(contact.friction[0])
+        0.0 if contact.dim == 1 else float(min(contact.friction[:2]))
         for contact in data.contact
         if ground & set(contact.geom.tolist()) and feet & set(contact.geom.tolist())
     ]

@@ -74,7 +74,8 @@ class Plant:
         model: The MuJoCo model.
         data: The MuJoCo state; read it, do not write it.
         handles: Indices of the robot's parts in model and data.
-        friction: Smallest sliding friction coefficient of the feet on the ground.
+        friction: Smallest sliding friction coefficient of the feet on the ground. NaN for the
+            hung robot of an MJCF, because its feet touch no ground.
     """
 
     def __init__(
@@ -203,17 +204,21 @@ class Plant:
         mujoco.mj_step1(self.model, self.data)
         self._physics_loop.advance(round(SETTLE_TIME / settings.physics_dt))
         if self.truth.fell:
+            ground, remedy = self._ground_and_remedy()
             raise Error(
                 f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
-                f"the first LowCmd: {self._ground_text()}, payload {settings.payload_kg:g} kg; use "
-                "easier settings"
+                f"the first LowCmd: {ground}, payload {settings.payload_kg:g} kg; {remedy}"
             )
         return self._start_run()
 
-    def _ground_text(self) -> str:
-        if self.description.mjcf is not None:
-            return f"MJCF '{self.description.mjcf}'"
-        return f"slope {self.settings.slope_deg:g} deg, friction {self.settings.friction:g}"
+    def _ground_and_remedy(self) -> tuple[str, str]:
+        """Return the ground in words, and what to do if the robot falls on it at once."""
+        mjcf, settings = self.description.mjcf, self.settings
+        if mjcf is None:
+            ground = f"slope {settings.slope_deg:g} deg, friction {settings.friction:g}"
+            return ground, "use easier settings"
+        remedy = "look at the contacts and obstacles at the origin"
+        return f"MJCF '{mjcf}'", f"{remedy} (surefoot robots --mjcf {mjcf})"
 
     def reset_lying(self, rng: np.random.Generator) -> LowState:
         """Drop the robot with random joint angles and return the first LowState of the lying robot.

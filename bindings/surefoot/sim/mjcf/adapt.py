@@ -87,8 +87,10 @@ def _rename(elements: dict[int, Any], names: dict[int, str]) -> dict[str, str]:
     for number, element in elements.items():
         old = element.name
         new = names.get(number, f"{old} of the file" if old in taken else old)
-        if new != old:
-            element.name = new
+        if new == old:
+            continue
+        element.name = new
+        if old:  # no reference means an element without a name
             changed[old] = new
     return changed
 
@@ -116,15 +118,25 @@ def _add_plane(spec: mujoco.MjSpec) -> None:
     """Add a level plane whose contacts have the friction and stiffness of the other geom.
 
     MuJoCo uses the larger of two friction coefficients and contact dimensions, and weighs the
-    stiffness by solmix.
+    stiffness by solmix. All values of contacts are set here, because a new geom has those of the
+    file's default class "main".
     """
     spec.worldbody.add_geom(
         name=GROUND,
         type=mujoco.mjtGeom.mjGEOM_PLANE,
         size=[0.0, 0.0, 0.5],
+        pos=[0.0, 0.0, 0.0],
+        quat=[1.0, 0.0, 0.0, 0.0],
+        contype=1,
+        conaffinity=1,
+        priority=0,
         friction=[0.0, 0.0, 0.0],
         condim=1,
+        margin=0.0,
+        gap=0.0,
         solmix=0.0,
+        solref=[0.02, 1.0],
+        solimp=[0.9, 0.95, 0.001, 0.5, 2.0],
         rgba=[0.75, 0.78, 0.82, 1.0],
     )
 

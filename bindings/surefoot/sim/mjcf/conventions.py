@@ -34,15 +34,26 @@ class LegGeometry:
 
     Attributes:
         axes: (3, 3) directions of the axes of hip, thigh and calf, one per row.
+        hip: (3,) any point of the axis of the hip joint [m].
         thigh: (3,) point of the thigh joint [m].
         calf: (3,) point of the calf joint [m].
         foot: (3,) centre of the foot [m].
     """
 
     axes: Array
+    hip: Array
     thigh: Array
     calf: Array
     foot: Array
+
+    @property
+    def hip_point(self) -> Array:
+        """Point of the hip's axis that is nearest to the thigh joint (3,) [m].
+
+        It does not depend on the pose, nor on where a file puts the joint on its axis.
+        """
+        axis = self.axes[0]
+        return np.asarray(self.hip + axis * float(axis @ (self.thigh - self.hip)))
 
     @property
     def lengths(self) -> tuple[float, float]:
@@ -100,9 +111,9 @@ def mjcf_legs(model: mujoco.MjModel, tree: Tree, feet: tuple[Foot, ...]) -> list
     legs = []
     for joints, foot in zip(tree.legs, feet, strict=True):
         foot_point = data.xpos[foot.body] + data.xmat[foot.body].reshape(3, 3) @ foot.centre
-        points = [data.xanchor[joints[1]], data.xanchor[joints[2]], foot_point]
-        thigh, calf, end = ((point - origin) @ rotation for point in points)
-        legs.append(LegGeometry(data.xaxis[list(joints)] @ rotation, thigh, calf, end))
+        points = [*data.xanchor[list(joints)], foot_point]
+        hip, thigh, calf, end = ((point - origin) @ rotation for point in points)
+        legs.append(LegGeometry(data.xaxis[list(joints)] @ rotation, hip, thigh, calf, end))
     return legs
 
 
@@ -120,8 +131,8 @@ def robot_legs(robot: Robot) -> list[LegGeometry]:
     for leg, frame in enumerate(robot.foot_frame_ids):
         ids = [model.getJointId(name) for name in robot.config.joint_names[3 * leg :][:3]]
         axes = np.array([data.J[3:, robot.motor_to_v[3 * leg + k]] for k in range(3)])
-        thigh, calf = (data.oMi[joint].translation.copy() for joint in ids[1:])
-        legs.append(LegGeometry(axes, thigh, calf, data.oMf[frame].translation.copy()))
+        hip, thigh, calf = (data.oMi[joint].translation.copy() for joint in ids)
+        legs.append(LegGeometry(axes, hip, thigh, calf, data.oMf[frame].translation.copy()))
     return legs
 
 

@@ -78,7 +78,10 @@ def _joint_matches(parts: MjcfParts, robot: Robot) -> tuple[JointMatch, ...]:
 
 def _notes(parts: MjcfParts) -> list[str]:
     model, spec = parts.model, parts.spec
-    notes = []
+    notes = [
+        "friction, soft_soles and leg_collisions are those of the file's contacts; the settings of "
+        "these names have no effect"
+    ]
     kinds = Counter(_actuator_kind(model, k) for k in range(model.nu))
     if kinds:
         which = ", ".join(f"{count} {kind}" for kind, count in sorted(kinds.items()))
@@ -92,6 +95,18 @@ def _notes(parts: MjcfParts) -> list[str]:
     if parts.ground.obstacles:
         names = ", ".join(f"'{geom_name(model, geom)}'" for geom in parts.ground.obstacles)
         notes.append(f"obstacles, which only feet and calves may touch: {names}")
+    floating = [b for b in range(model.nbody) if model.body_gravcomp[b]]
+    if floating:
+        values = ", ".join(
+            f"{model.body_gravcomp[b]:g} in '{body_name(model, b)}'" for b in floating
+        )
+        notes.append(f"gravcomp of the file is used and cancels this share of gravity: {values}")
+    if spec.option.density or spec.option.viscosity:
+        wind = " ".join(f"{speed:g}" for speed in spec.option.wind)
+        notes.append(
+            f"density {spec.option.density:g}, viscosity {spec.option.viscosity:g} and wind {wind} "
+            "of the file are used: a fluid acts on the bodies"
+        )
     integrator = integrator_name(spec)
     used = integrator if is_usable_integrator(spec) else f"EULER instead of {integrator}"
     notes.append(

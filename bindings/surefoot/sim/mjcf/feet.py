@@ -16,6 +16,9 @@ from surefoot.sim.mjcf.tree import Tree
 
 # Share of a foot's radius by which the feet may differ. Chosen: above the rounding of any file.
 _RADIUS_TOLERANCE = 0.01
+# Smallest difference of the distances from the knee to the two ends of a capsule, as a share of its
+# length. Chosen: 1 along the calf, 0 across it, a half at 60 degrees.
+_MIN_CAPSULE_ALIGNMENT = 0.5
 _SPHERE, _CAPSULE = int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 
 
@@ -46,8 +49,8 @@ def find_feet(model: mujoco.MjModel, tree: Tree, ground: Ground) -> tuple[Foot, 
     among them, it is one of these.
 
     Raises:
-        Error: A leg has no such geom, it is neither sphere nor capsule, it does not collide with
-            the ground, or the radii differ.
+        Error: A leg has no such geom, it is neither a sphere nor a capsule along the calf, it
+            does not collide with the ground, or the radii differ.
     """
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -86,12 +89,20 @@ def _find_foot(model: mujoco.MjModel, data: mujoco.MjData, calf_joint: int) -> F
         shape = mujoco.mjtGeom(kind).name.removeprefix("mjGEOM_").lower()
         raise Error(
             f"geom '{geom_name(model, geom)}' of body '{body_name(model, body)}': got a {shape} as "
-            "foot, expected a sphere or a capsule; replace it by a sphere"
+            "foot, expected a sphere or a capsule along the calf; replace it by a sphere"
         )
     centre = data.geom_xpos[geom].copy()
     if kind == _CAPSULE:
         half = model.geom_size[geom, 1] * data.geom_xmat[geom].reshape(3, 3)[:, 2]
-        centre = max((centre + half, centre - half), key=lambda end: np.linalg.norm(end - knee))
+        ends = sorted((centre - half, centre + half), key=lambda end: np.linalg.norm(end - knee))
+        near, far = (float(np.linalg.norm(end - knee)) for end in ends)
+        if far - near < _MIN_CAPSULE_ALIGNMENT * 2.0 * float(np.linalg.norm(half)):
+            raise Error(
+                f"geom '{geom_name(model, geom)}' of body '{body_name(model, body)}': got a "
+                "capsule across the leg as foot, expected a sphere or a capsule along the calf; "
+                "replace it by a sphere"
+            )
+        centre = ends[1]
     local = data.xmat[body].reshape(3, 3).T @ (centre - data.xpos[body])
     return Foot(geom, body, local, float(model.geom_size[geom, 0]), bool(named))
 

@@ -19,6 +19,10 @@ _NEEDED = {
     "contact": mujoco.mjtDisableBit.mjDSBL_CONTACT,
     "constraint": mujoco.mjtDisableBit.mjDSBL_CONSTRAINT,
     "gravity": mujoco.mjtDisableBit.mjDSBL_GRAVITY,
+    "damper": mujoco.mjtDisableBit.mjDSBL_DAMPER,
+    "spring": mujoco.mjtDisableBit.mjDSBL_SPRING,
+    "frictionloss": mujoco.mjtDisableBit.mjDSBL_FRICTIONLOSS,
+    "limit": mujoco.mjtDisableBit.mjDSBL_LIMIT,
 }
 
 

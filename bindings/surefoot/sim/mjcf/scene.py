@@ -58,5 +58,5 @@ def _check_ranges(parts: MjcfParts, path: Path, robot: Robot) -> None:
             raise Error(
                 f"MJCF '{path}': joint '{joint_name(model, joint)}': got range {low:.4g} .. "
                 f"{high:.4g} rad, expected one with the standing pose of '{robot.name}', "
-                f"{angle:.4g} rad in the file"
+                f"{angle:.4g} rad in the file; widen the range"
             )

@@ -59,6 +59,11 @@ def add_backlash(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
             name=rotor_name(name),
             limited=True,
             range=[-half, half],
+            margin=0.0,
+            armature=0.0,
+            frictionloss=0.0,
+            stiffness=[0.0, 0.0, 0.0],
+            damping=[0.0, 0.0, 0.0],
             solref_limit=TOOTH_SOLREF,
             solimp_limit=TOOTH_SOLIMP,
         )
@@ -71,7 +76,22 @@ def _add_rotor(spec: mujoco.MjSpec, joint: mujoco.MjsJoint) -> None:
     body = spec.worldbody.add_body(name=rotor_name(joint.name))
     body.mass, body.inertia, body.ipos = _BODY_MASS, [_BODY_INERTIA] * 3, [0.0, 0.0, 0.0]
     body.explicitinertial = True
-    rotor = body.add_joint(name=body.name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0.0, 0.0, 1.0])
+    # A new joint has the values of the default class "main", which an MJCF file may set.
+    rotor = body.add_joint(
+        name=body.name,
+        type=mujoco.mjtJoint.mjJNT_HINGE,
+        pos=[0.0, 0.0, 0.0],
+        axis=[0.0, 0.0, 1.0],
+        ref=0.0,
+        springref=0.0,
+        stiffness=[0.0, 0.0, 0.0],
+        springdamper=[0.0, 0.0],
+        limited=mujoco.mjtLimited.mjLIMITED_FALSE,
+        range=[0.0, 0.0],
+        actfrclimited=mujoco.mjtLimited.mjLIMITED_FALSE,
+        solref_friction=joint.solref_friction.copy(),
+        solimp_friction=joint.solimp_friction.copy(),
+    )
     rotor.armature, joint.armature = joint.armature, 0.0
     rotor.frictionloss, joint.frictionloss = joint.frictionloss, 0.0
     rotor.damping, joint.damping = joint.damping.copy(), [0.0, 0.0, 0.0]

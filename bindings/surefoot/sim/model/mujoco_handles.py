@@ -38,7 +38,7 @@ class Handles:
             them. Empty for the ground of an MJCF.
         terrain_geoms: Boxes of PlantSettings.terrain; or ground and obstacles of an MJCF, whose
             soft feet may sink so deep that the calves touch the ground.
-        calf_geoms: Geoms of the calves, which may touch terrain_geoms.
+        calf_geoms: Geoms of the calves and of bodies fixed to them, which may touch terrain_geoms.
         gyro: (3,) entries of sensordata: angular velocity, IMU axes.
         accelerometer: (3,) entries of sensordata: specific force, IMU axes.
         quaternion: (4,) entries of sensordata: rotation from IMU to world axes, w x y z.
@@ -104,7 +104,9 @@ def find_handles(
         ground_geom=geom(GROUND),
         ground_geoms=tuple(ground),
         terrain_geoms=frozenset(terrain),
-        calf_geoms=frozenset(np.flatnonzero(np.isin(model.geom_bodyid, calves)).tolist()),
+        calf_geoms=frozenset(
+            np.flatnonzero(np.isin(model.body_weldid[model.geom_bodyid], calves)).tolist()
+        ),
         gyro=sensor("gyro"),
         accelerometer=sensor("accelerometer"),
         quaternion=sensor("quaternion"),
