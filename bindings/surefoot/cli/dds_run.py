@@ -67,7 +67,7 @@ class DdsSession:
         for line in self._network.notices:
             print_line(line)
         self._switcher: MotionSwitcher | None = None
-        self._mode = ""  # mode of the sport service that was released
+        self._mode = ""  # mode that was released and not given back
         self._release_sent = self._may_have_moved = False
 
     def __enter__(self) -> DdsSession:
@@ -153,6 +153,7 @@ class DdsSession:
             self._print_off()
         else:
             self._print_line(f"motion switcher: mode '{self._mode}' is active again")
+            self._mode = ""
 
     def _print_off(self) -> None:
         mode = f"mode '{self._mode}'"
