@@ -20,7 +20,7 @@ class Outcome:
         fell: True if the robot fell.
         measured: Largest power that the power protection computed [W].
         commanded: Largest power of the commands [W].
-        limited: Number of ticks with scaled torques.
+        limited: Number of ticks whose torques the limit has reduced.
         over: Number of ticks with a command power above the limit.
         refused: Number of ticks in which the power protection tripped.
     """
@@ -42,7 +42,7 @@ def pushed(name: str, direction: str, share: float, level: int, limit: float) ->
     for _ in range(1000):
         command = controller.update(report)
         outcome.refused += safety.power_protect(command, report, level) < 0
-        outcome.limited += controller.power_scale < 1.0
+        outcome.limited += controller.command_power > 0.999 * limit
         outcome.over += controller.command_power > limit
         outcome.measured = max(outcome.measured, safety.power)
         outcome.commanded = max(outcome.commanded, controller.command_power)

@@ -22,6 +22,7 @@ pytestmark = pytest.mark.real_time
 
 _domains = itertools.count(200)
 ERROR = 2  # exit status after a wrong argument
+NO_LIBRARY = "libddsc (Cyclone DDS): got none of "  # beginning of the error where it is missing
 
 
 @pytest.fixture
@@ -31,6 +32,8 @@ def domain() -> Iterator[int]:
     try:
         surefoot.DdsNetwork("lo", domain)
     except surefoot.Error as problem:
+        if not str(problem).startswith(NO_LIBRARY):
+            raise
         pytest.skip(str(problem))
     yield domain
 
@@ -107,15 +110,26 @@ def test_go2_rises_stands_and_sits_and_its_sport_service_is_given_back(
 
 
 def test_robot_damps_20_ms_after_the_last_command(domain: int, tmp_path: Path) -> None:
-    there = robot(domain, "--duration", 20, "--no-motion-switcher", "--json", tmp_path / "r.json")
+    there = robot(
+        domain, "--duration", 20, "--no-motion-switcher", "--json", tmp_path / "r.json",
+        "--log-rate", 500,
+    )  # fmt: skip
     here = run(domain, "--no-motion-switcher")
     here.wait_for("standing")
     time.sleep(1.0)
     here.kill()
-    there.wait_for("no valid command for 20 ms, motors damp")
+    there.wait_for("motors damp")
     there._process.send_signal(signal.SIGINT)
     there.finish()
-    assert len(read(tmp_path / "r.json")["damping"]) == 1
+    record = read(tmp_path / "r.json")
+    assert len(record["damping"]) == 1
+    log, start = record["log"], record["damping"][0][0]
+    times, torques = log["time"], log["command_tau"]
+    # The torques of a standing robot change with every command.
+    last_command = max(
+        times[k] for k in range(1, len(times)) if times[k] < start and torques[k] != torques[k - 1]
+    )
+    assert 0.016 <= start - last_command <= 0.024
 
 
 def test_run_damps_20_ms_after_the_last_state_and_names_the_robot(domain: int) -> None:
@@ -187,7 +201,7 @@ def test_missing_motion_switcher_is_an_error_of_a_simulation(domain: int) -> Non
         (("--domain", 231), "DDS domain: got 231, expected 0 .. 230"),
         (("--robot", "go2", "--sdk", "b2"), "--sdk: got b2 with robot go2, expected go2"),
         (
-            ("--rise", "--yes", "--real-robot", "--no-motion-switcher"),
+            ("--rise", "--yes", "--real-robot", "--no-motion-switcher", "--interface", "lo"),
             "--no-motion-switcher: got --real-robot, expected a simulation",
         ),
     ],

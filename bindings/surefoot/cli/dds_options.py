@@ -6,12 +6,15 @@ import argparse
 
 DDS_ROBOTS = ("go2", "b2")  # values of --sdk that mean DDS
 DEFAULT_DOMAIN = 1  # of simulations, by the convention of unitree_mujoco
+LOOPBACK = "lo"  # interface of simulations
 
 
-def add_dds_options(group: argparse._ArgumentGroup) -> None:
-    """Add --interface, --domain and --libddsc."""
+def add_dds_options(
+    group: argparse._ArgumentGroup, interface_help: str = f"network interface ({LOOPBACK})"
+) -> None:
+    """Add --interface, --domain and --libddsc; each is None if not given."""
     add = group.add_argument
-    add("--interface", default="lo", metavar="NAME", help="network interface (lo)")
+    add("--interface", metavar="NAME", help=interface_help)
     add(
         "--domain",
         type=int,
@@ -20,7 +23,6 @@ def add_dds_options(group: argparse._ArgumentGroup) -> None:
     )
     add(
         "--libddsc",
-        default="",
         metavar="FILE",
         help="library of Cyclone DDS (that of the package cyclonedds, else of the system)",
     )

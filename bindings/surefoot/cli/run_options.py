@@ -21,9 +21,9 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
     parser.epilog = _EPILOG
     add = parser.add_argument
     _add_start_group(parser)
-    add("--host", default="127.0.0.1", metavar="ADDRESS", help="address of the robot (127.0.0.1)")
-    add("--port", type=int, default=8007, metavar="N", help="UDP port of the robot (8007)")
-    add("--local-port", type=int, default=0, metavar="N", help="UDP port of this computer (0: any)")
+    add("--host", metavar="ADDRESS", help="address of the robot (127.0.0.1)")
+    add("--port", type=int, metavar="N", help="UDP port of the robot (8007)")
+    add("--local-port", type=int, metavar="N", help="UDP port of this computer (0: any)")
     add(
         "--sdk",
         metavar="GENERATION",

@@ -7,7 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error
-from surefoot.cli.dds_options import DDS_ROBOTS, DEFAULT_DOMAIN, default_robot
+from surefoot.cli.dds_options import DDS_ROBOTS, DEFAULT_DOMAIN, LOOPBACK, default_robot
 from surefoot.cli.graphics import choose_graphics
 from surefoot.cli.missing_module import missing_module
 from surefoot.cli.output_files import check_json_path, write_json
@@ -51,9 +51,9 @@ def robot(arguments: argparse.Namespace) -> None:
         arguments.port,
         arguments.duration,
         arguments.view,
-        arguments.interface,
+        arguments.interface or LOOPBACK,
         DEFAULT_DOMAIN if arguments.domain is None else arguments.domain,
-        arguments.libddsc,
+        arguments.libddsc or "",
         None if arguments.no_motion_switcher else arguments.sport_mode,
     )
     record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))

@@ -33,6 +33,7 @@ struct ServiceRequest {
 class DdsServiceClient {
  public:
   /// Open the client. Throws surefoot::Error if libddsc cannot.
+  /// @param network network of the server
   /// @param service name of the service, such as "motion_switcher"
   DdsServiceClient(std::shared_ptr<DdsNetwork> network, const std::string& service);
   ~DdsServiceClient();
@@ -42,6 +43,8 @@ class DdsServiceClient {
   /// Wait for a server; return whether one has been discovered. @param timeout [s]
   bool wait_for_server(double timeout);
   /// Send a request and wait for its reply.
+  /// @param api_id number of the function, such as 1001
+  /// @param parameter argument, usually JSON
   /// @param timeout longest wait [s]
   /// @param repeat true: send it again every 0.5 s until the reply arrives. The first request of a
   ///   client is lost if the server has not discovered the client yet. Only for requests that

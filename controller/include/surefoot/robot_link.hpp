@@ -72,8 +72,8 @@ class RobotLink {
 
  protected:
   RobotLink() = default;
-  RobotLink(const RobotLink&) = default;
-  RobotLink(RobotLink&&) = default;
+  RobotLink(const RobotLink&) = default;  ///< only for classes that can be copied
+  RobotLink(RobotLink&&) = default;       ///< only for classes that can be moved
 };
 
 }  // namespace surefoot

@@ -169,7 +169,11 @@ class Runner {
   /// Use an open link, such as a DdsLink; run() starts the loop. The caller does not use the link
   /// until run() has ended. Throws surefoot::Error if there is no link, if an option or a gain is
   /// invalid, or if the link allows a real robot and the start is not Start::kLying.
+  /// @param robot model of the robot
+  /// @param gains gains of the first tick
+  /// @param stand options of the controller
   /// @param link open link to the robot
+  /// @param options options of the loop
   Runner(const Robot& robot, const Gains& gains, const ControllerOptions& stand,
          std::shared_ptr<RobotLink> link, const RunOptions& options);
   ~Runner();
