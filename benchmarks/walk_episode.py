@@ -17,8 +17,8 @@ from surefoot.sim import Plant
 from surefoot.walk.slip import slip_velocities
 
 COMMAND_SETTLING, PUSH_SETTLING = 1.0, 2.0  # [s] times whose tracking error does not count
-# Level of the power protection. Level 5 carries walks on level ground, but a pushed robot that steps
-# off an edge trips it.
+# Level of the power protection. Level 5 carries walks on level ground, but a pushed robot that
+# steps off an edge trips it.
 POWER_LEVEL = 10
 CHECK_TICKS = 10  # [ticks] interval of the checks of faults and falls
 SLIP_WINDOW = 100  # [ticks] time before the fault "slip" in which a true slide is looked for

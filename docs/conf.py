@@ -44,7 +44,7 @@ nitpick_ignore_regex = [
     ("cpp:.*", r"u?int\d+_t|size_t"),
     ("cpp:.*", r"(Vector\d+|Matrix\d+|FeetMatrix|Quaternion)::(Zero|Identity|UnitZ|Ones)"),
     # The namespace, and classes that public headers declare and the library defines.
-    ("cpp:.*", r"surefoot|Impl|Data|Dynamics"),
+    ("cpp:.*", r"surefoot|Impl|Data|Dynamics|DdsParticipant"),
     ("py:.*", r"surefoot\._plant\..*"),
     ("py:.*", r"ControllerFailure|Options|RobotDescription|DatagramPort"),  # not public
 ]

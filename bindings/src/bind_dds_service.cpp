@@ -41,8 +41,8 @@ void bind_client(nb::module_& m) {
           "        The first request is lost if the server has not discovered this client yet.\n"
           "        Only for requests that change nothing, because the server executes each.\n\n"
           "Returns:\n"
-          "    Code and data of the reply. Code 0: done; 3102: no server was discovered;\n"
-          "    3104: the server has not answered in time.");
+          "    The code and the data of the reply. The code is 0 if the request was done, 3102 if\n"
+          "    no server was discovered, and 3104 if the server has not answered in time.");
 }
 
 void bind_server(nb::module_& m) {
