@@ -41,11 +41,6 @@ const DdsLinkOptions& checked(const DdsLinkOptions& options) {
   return options;
 }
 
-const DdsNetwork& not_null(const std::shared_ptr<DdsNetwork>& network) {
-  if (network == nullptr) throw Error("network: got none, expected a DdsNetwork");
-  return *network;
-}
-
 std::vector<WriterRule> link_rules() {
   return {{kCommandTopic, unitree_go_msg_dds__LowCmd__desc.m_typename, 0,
            "end the other program, or release the sport service, so that only one commands"},
@@ -59,7 +54,7 @@ struct DdsLink::Impl {
   Impl(std::shared_ptr<DdsNetwork> n, const DdsLinkOptions& o)
       : options(checked(o)),
         network(std::move(n)),
-        reader(not_null(network).participant(), unitree_go_msg_dds__LowState__desc, kStateTopic),
+        reader(participant_of(network), unitree_go_msg_dds__LowState__desc, kStateTopic),
         peers(network->participant(), link_rules(), o.discovery_time),
         writer(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic) {
     peers.start(writer.guid());

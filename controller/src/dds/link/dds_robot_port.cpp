@@ -16,11 +16,6 @@ namespace surefoot {
 
 namespace {
 
-const DdsNetwork& not_null(const std::shared_ptr<DdsNetwork>& network) {
-  if (network == nullptr) throw Error("network: got none, expected a DdsNetwork");
-  return *network;
-}
-
 std::vector<WriterRule> robot_rules() {
   return {{kStateTopic, unitree_go_msg_dds__LowState__desc.m_typename, 0,
            "end the other robot, or choose another domain or interface"},
@@ -41,7 +36,7 @@ struct DdsRobotPort::Impl {
   Impl(std::shared_ptr<DdsNetwork> n, DdsRobot r, double discovery_time)
       : robot(r),
         network(std::move(n)),
-        reader(not_null(network).participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
+        reader(participant_of(network), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
         peers(network->participant(), robot_rules(), discovery_time),
         writer(network->participant(), unitree_go_msg_dds__LowState__desc, kStateTopic) {
     peers.start(writer.guid());

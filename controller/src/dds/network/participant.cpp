@@ -40,4 +40,9 @@ DdsParticipant::DdsParticipant(DdsLibrary library, int domain, const std::string
                                                          nullptr, nullptr),
                    "DDS participant") {}
 
+const DdsParticipant& participant_of(const std::shared_ptr<DdsNetwork>& network) {
+  if (network == nullptr) throw Error("network: got none, expected a DdsNetwork");
+  return network->participant();
+}
+
 }  // namespace surefoot

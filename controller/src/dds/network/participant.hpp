@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "dds/ddsc/library.hpp"
+#include "surefoot/dds_network.hpp"
 
 namespace surefoot {
 
@@ -51,6 +53,9 @@ class DdsParticipant {
   DdsLibrary library_;
   DdsEntity domain_, participant_;
 };
+
+/// Return the participant of a network. Throws surefoot::Error if there is no network.
+const DdsParticipant& participant_of(const std::shared_ptr<DdsNetwork>& network);
 
 /// Return "ERROR (-1)" for a return code of libddsc. Real-time: no.
 std::string to_text(const ddsc::Functions& functions, ddsc::Return code);

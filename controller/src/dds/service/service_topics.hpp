@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "dds/generated/unitree_api.h"
 #include "dds/network/endpoints.hpp"
-#include "surefoot/dds_network.hpp"
-#include "surefoot/error.hpp"
 
 namespace surefoot {
 
@@ -21,12 +18,6 @@ inline std::string request_topic(const std::string& service) {
 /// Return the name of the topic of replies of a service.
 inline std::string response_topic(const std::string& service) {
   return "rt/api/" + service + "/response";
-}
-
-/// Return the participant of a network. Throws surefoot::Error if there is no network.
-inline const DdsParticipant& participant_of(const std::shared_ptr<DdsNetwork>& network) {
-  if (network == nullptr) throw Error("network: got none, expected a DdsNetwork");
-  return network->participant();
 }
 
 /// Take the oldest sample in memory of libddsc, call use(sample), and return the memory.
