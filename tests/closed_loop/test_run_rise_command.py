@@ -228,8 +228,7 @@ def test_invalid_rise_arguments_give_one_error_line(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-
-    monkeypatch.setattr("surefoot.cli.run.has_keyboard", bool)
+    monkeypatch.setattr("surefoot.cli.run_checks.has_keyboard", bool)
     assert main(["run", *words]) == 2
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1

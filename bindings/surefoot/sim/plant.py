@@ -204,21 +204,21 @@ class Plant:
         mujoco.mj_step1(self.model, self.data)
         self._physics_loop.advance(round(SETTLE_TIME / settings.physics_dt))
         if self.truth.fell:
-            ground, remedy = self._ground_and_remedy()
+            ground, advice = self._ground_and_advice()
             raise Error(
                 f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
-                f"the first LowCmd: {ground}, payload {settings.payload_kg:g} kg; {remedy}"
+                f"the first LowCmd: {ground}, payload {settings.payload_kg:g} kg; try {advice}"
             )
         return self._start_run()
 
-    def _ground_and_remedy(self) -> tuple[str, str]:
-        """Return the ground in words, and what to do if the robot falls on it at once."""
+    def _ground_and_advice(self) -> tuple[str, str]:
+        """Return the ground in words, and what to try if the robot falls on it at once."""
         mjcf, settings = self.description.mjcf, self.settings
         if mjcf is None:
             ground = f"slope {settings.slope_deg:g} deg, friction {settings.friction:g}"
-            return ground, "use easier settings"
-        remedy = "look at the contacts and obstacles at the origin"
-        return f"MJCF '{mjcf}'", f"{remedy} (surefoot robots --mjcf {mjcf})"
+            return ground, "easier settings"
+        advice = f"level ground at the origin (surefoot robots --mjcf {mjcf} shows what was found)"
+        return f"MJCF '{mjcf}'", advice
 
     def reset_lying(self, rng: np.random.Generator) -> LowState:
         """Drop the robot with random joint angles and return the first LowState of the lying robot.
