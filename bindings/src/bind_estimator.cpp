@@ -57,6 +57,10 @@ void bind_report(nb::module_& m) {
       .def_ro("friction", &R::friction,
               "Friction coefficient of the ground, learnt from feet that slide and hold.\n\n"
               "0.1 .. RobotConfig.friction; initially RobotConfig.friction.")
+      .def_ro("armature", &R::armature,
+              "Rotor inertia of each joint, learnt from legs that swing [kg.m^2], shape (12,),\n"
+              "SDK motor order.\n\n"
+              "Initially RobotConfig.armature.")
       .def_ro("gyroscope_bias", &R::gyroscope_bias,
               "Bias of the gyroscope [rad/s], base axes, shape (3,).")
       .def_ro("accelerometer_bias", &R::accelerometer_bias,

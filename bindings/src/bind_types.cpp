@@ -116,7 +116,11 @@ void bind_robot_state(nb::module_& m) {
               "Share of RobotConfig.friction that each foot may use, 0 .. 1, shape (4,), FR FL\n"
               "RR RL.\n\n"
               "It is below 1 on ground with less friction (EstimatorReport.friction), and smaller\n"
-              "for a foot that slips.");
+              "for a foot that slips.")
+      .def_rw("armature_error", &RobotState::armature_error,
+              "Rotor inertia of each joint as learnt by the estimator, minus RobotConfig.armature\n"
+              "[kg.m^2], shape (12,), SDK motor order.\n\n"
+              "The sum of both must not be negative.");
 }
 
 void bind_reference(nb::module_& m) {

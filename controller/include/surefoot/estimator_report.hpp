@@ -52,6 +52,9 @@ struct EstimatorReport {
   /// Friction coefficient of the ground, learnt from feet that slide and hold. Initially
   /// RobotConfig::friction, and never more; at least 0.1.
   double friction = 0.0;
+  /// Rotor inertia of each joint, learnt from legs that swing [kg.m^2], SDK motor order. Initially
+  /// RobotConfig::armature.
+  Vector12 armature = Vector12::Zero();
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes
   Vector3 accelerometer_bias = Vector3::Zero();  ///< [m/s^2] bias of the accelerometer, base axes

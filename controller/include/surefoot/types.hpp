@@ -76,6 +76,9 @@ struct RobotState {
   /// Share of RobotConfig::friction that each foot may use, 0 .. 1, FR FL RR RL. It is below 1 on
   /// ground with less friction (EstimatorReport::friction), and smaller for a foot that slips.
   Eigen::Vector4d friction = Eigen::Vector4d::Ones();
+  /// [kg.m^2] Rotor inertia of each joint as learnt by the estimator, minus RobotConfig::armature,
+  /// SDK motor order. The sum of both must not be negative.
+  Vector12 armature_error = Vector12::Zero();
 };
 
 /// Reference of one foot, in the world frame of RobotState.

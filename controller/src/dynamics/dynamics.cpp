@@ -36,7 +36,10 @@ void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
   } else {
     pinocchio_->update(q, v, ground_normal, terms_);
   }
-  for (int leg = 0; leg < kLegs; ++leg) terms_.legs[leg].depth *= depth_sign_[leg];
+  for (int leg = 0; leg < kLegs; ++leg) {
+    terms_.legs[leg].depth *= depth_sign_[leg];
+    terms_.legs[leg].M_leg.diagonal() += armature_error_.segment<3>(3 * leg);
+  }
   a_base_shift_.setZero();
 }
 
@@ -55,6 +58,10 @@ void Dynamics::shift(const Vector3& p_world, const Vector3& v_world) noexcept {
 void Dynamics::write_full(FullDynamics& out) const noexcept {
   if (pinocchio_) {
     pinocchio_->write_full(terms_, out);
+    for (int i = 0; i < kMotors; ++i) {
+      const int v = robot_.motor_to_v()[i];
+      out.M(v, v) += armature_error_[i];
+    }
     return;
   }
   // Legs are coupled only through the base. All blocks that are not written here have been zero

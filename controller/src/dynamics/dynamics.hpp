@@ -28,6 +28,10 @@ class Dynamics {
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
 
+  /// Set what is added to RobotConfig::armature from the next update() on, SDK motor order
+  /// [kg.m^2]. Initially 0. Real-time: yes.
+  void set_armature_error(const Vector12& error) noexcept { armature_error_ = error; }
+
   /// Compute all terms at a state.
   /// @param q configuration, shape (nq,)
   /// @param v velocity, shape (nv,)
@@ -80,6 +84,7 @@ class Dynamics {
   std::unique_ptr<QuadrupedDynamics> quadruped_;  ///< null if the robot has another shape
   std::unique_ptr<PinocchioDynamics> pinocchio_;  ///< null if quadruped_ is used
   DynamicsTerms terms_;
+  Vector12 armature_error_ = Vector12::Zero();  // see set_armature_error()
   Vector3 a_base_shift_;
   bool condensable_;
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};  // see LegDynamics::depth

@@ -88,6 +88,7 @@ void StateEstimator::Impl::update_dynamics() noexcept {
   state.q.head<3>().setZero();
   state.v.head<3>().setZero();
   state.v.segment<3>(3) = w_base;
+  dynamics.set_armature_error(armature.error());
   dynamics.update(state.q, state.v, normal);
 }
 
@@ -135,6 +136,9 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
                    step_detector.stepped_lately()},
                   dt);
   state.friction = friction.share() * slip.friction(gains);
+  if (torques_valid())
+    armature.update({v_contact, leg_forces.missing_torque(), leg_forces.ddq(), dq}, dt);
+  state.armature_error = armature.error();
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "estimator/contact/armature_estimate.hpp"
 #include "estimator/contact/contact_confidence.hpp"
 #include "estimator/contact/foot_clearance.hpp"
 #include "estimator/contact/friction_estimate.hpp"
@@ -78,6 +79,7 @@ struct StateEstimator::Impl {
   StepDetector step_detector;
   SlipDetector slip;
   FrictionEstimate friction;
+  ArmatureEstimate armature;
   FootClearance clearance;
   PayloadObserver payload;
   PushObserver push;

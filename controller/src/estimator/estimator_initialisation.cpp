@@ -70,6 +70,7 @@ StateEstimator::Impl::Impl(const Robot& r)
       dynamics(r),
       contact(r.mass() * kGravity),
       friction(r),
+      armature(r),
       payload(r.mass()),
       state(r.nq(), r.nv()) {}
 
@@ -92,6 +93,7 @@ void StateEstimator::Impl::reset() noexcept {
   air_time = 0.0;
   slip.reset();
   friction.reset();
+  armature.reset();
   clearance.reset();
   payload.reset();
   push.reset();

@@ -77,6 +77,7 @@ RobotState& DelayPredictor::predict(const RobotState& state, double period) noex
   predicted_.f_sustained = state.f_sustained;
   predicted_.moment_external = state.moment_external;
   predicted_.friction = state.friction;
+  predicted_.armature_error = state.armature_error;
   return predicted_;
 }
 

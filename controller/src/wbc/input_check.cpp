@@ -30,7 +30,8 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (state.q.size() != robot.nq() || state.v.size() != robot.nv()) return Status::kWrongSize;
   if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
       !state.f_external.allFinite() || !state.f_sustained.allFinite() ||
-      !state.moment_external.allFinite() || !state.friction.allFinite()) {
+      !state.moment_external.allFinite() || !state.friction.allFinite() ||
+      !state.armature_error.allFinite()) {
     return Status::kNonFinite;
   }
   const auto in_unit_range = [](const Eigen::Vector4d& x) {
@@ -39,6 +40,8 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (!in_unit_range(state.contact) || !in_unit_range(state.friction)) {
     return Status::kImplausible;
   }
+  if ((robot.config().armature + state.armature_error).minCoeff() < 0.0)
+    return Status::kImplausible;
   const double norm = state.q.segment<4>(3).norm();
   return std::abs(norm - 1.0) > kUnitTolerance ? Status::kBadQuaternion : Status::kOk;
 }

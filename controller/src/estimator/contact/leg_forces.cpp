@@ -24,20 +24,23 @@ Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept {
 void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Vector3& alpha_base,
                        const Vector12& tau_est, const Vector12& dq, const Vector12& stops,
                        double dt) noexcept {
-  Vector6 base;
-  base << a_base, alpha_base;
   const double blend = started_ ? dt / (dt + kFilterTime) : 1.0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
     const Vector3 unfiltered_residual =
-        tau_est.segment<3>(3 * leg) - L.h_leg - L.M_base_leg.transpose() * base;
+        tau_est.segment<3>(3 * leg) - L.h_leg - L.M_base_leg.topRows<3>().transpose() * a_base;
+    const Vector3 unfiltered_rotation = L.M_base_leg.bottomRows<3>().transpose() * alpha_base;
     auto residual = residual_.segment<3>(3 * leg);
+    auto rotation = rotation_.segment<3>(3 * leg);
     auto dq_filtered = dq_filtered_.segment<3>(3 * leg);
     residual += blend * (unfiltered_residual - residual);
+    rotation += blend * (unfiltered_rotation - rotation);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
-    const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
+    auto ddq = ddq_.segment<3>(3 * leg);
+    ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
     // J^T f plus the torques of the stops. A torque of the sign that the stop exerts is removed.
-    Vector3 tau_contact = L.M_leg * ddq - residual;
+    missing_torque_.segment<3>(3 * leg) = residual - unfiltered_rotation - L.M_leg * ddq;
+    Vector3 tau_contact = L.M_leg * ddq + rotation - residual;
     tau_contact =
         (stops.segment<3>(3 * leg).array() * tau_contact.array() < 0.0).select(0.0, tau_contact);
     const Vector3 force = L.J_leg.transpose().inverse() * tau_contact;
