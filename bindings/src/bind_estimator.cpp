@@ -61,6 +61,14 @@ void bind_report(nb::module_& m) {
               "Rotor inertia of each joint, learnt from legs that swing [kg.m^2], shape (12,),\n"
               "SDK motor order.\n\n"
               "Initially RobotConfig.armature.")
+      .def_ro("joint_damping", &R::joint_damping,
+              "Viscous friction of each joint, learnt from legs that swing [N.m.s/rad], shape\n"
+              "(12,), SDK motor order.\n\n"
+              "Initially 0.")
+      .def_ro("joint_friction", &R::joint_friction,
+              "Coulomb friction of each joint, learnt from legs that swing [N.m], shape (12,),\n"
+              "SDK motor order.\n\n"
+              "Initially 0.")
       .def_ro("gyroscope_bias", &R::gyroscope_bias,
               "Bias of the gyroscope [rad/s], base axes, shape (3,).")
       .def_ro("accelerometer_bias", &R::accelerometer_bias,

@@ -120,7 +120,15 @@ void bind_robot_state(nb::module_& m) {
       .def_rw("armature_error", &RobotState::armature_error,
               "Rotor inertia of each joint as learnt by the estimator, minus RobotConfig.armature\n"
               "[kg.m^2], shape (12,), SDK motor order.\n\n"
-              "The sum of both must not be negative.");
+              "The sum of both must not be negative.")
+      .def_rw("joint_damping", &RobotState::joint_damping,
+              "Viscous friction of each joint as learnt by the estimator [N.m.s/rad], 0 or more,\n"
+              "shape (12,), SDK motor order.\n\n"
+              "The controllers compensate it.")
+      .def_rw("joint_friction", &RobotState::joint_friction,
+              "Coulomb friction of each joint as learnt by the estimator [N.m], 0 or more, shape\n"
+              "(12,), SDK motor order.\n\n"
+              "The controllers compensate it.");
 }
 
 void bind_reference(nb::module_& m) {

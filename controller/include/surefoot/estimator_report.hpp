@@ -55,6 +55,10 @@ struct EstimatorReport {
   /// Rotor inertia of each joint, learnt from legs that swing [kg.m^2], SDK motor order. Initially
   /// RobotConfig::armature.
   Vector12 armature = Vector12::Zero();
+  /// Viscous [N.m.s/rad] and Coulomb friction [N.m] of each joint, learnt from legs that swing, SDK
+  /// motor order. Initially 0.
+  Vector12 joint_damping = Vector12::Zero();
+  Vector12 joint_friction = Vector12::Zero();
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes
   Vector3 accelerometer_bias = Vector3::Zero();  ///< [m/s^2] bias of the accelerometer, base axes

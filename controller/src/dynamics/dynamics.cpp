@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynamics/dynamics.hpp"
 
+#include "dynamics/joint_friction.hpp"
 #include "dynamics/pinocchio_dynamics.hpp"
 #include "dynamics/quadruped_dynamics.hpp"
 #include "surefoot/error.hpp"
@@ -28,6 +29,12 @@ Dynamics::Dynamics(const Robot& robot, Source source)
 Dynamics::~Dynamics() = default;
 Dynamics::Dynamics(Dynamics&&) noexcept = default;
 
+void Dynamics::set_joints(const RobotState& state) noexcept {
+  armature_error_ = state.armature_error;
+  damping_ = state.joint_damping;
+  friction_ = state.joint_friction;
+}
+
 void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       const Vector3& ground_normal) noexcept {
   const StageScope stage(Stage::kDynamics);
@@ -36,9 +43,14 @@ void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
   } else {
     pinocchio_->update(q, v, ground_normal, terms_);
   }
+  for (int i = 0; i < kMotors; ++i) {
+    const double dq = v[robot_.motor_to_v()[i]];
+    friction_torque_[i] = damping_[i] * dq + friction_[i] * smooth_sign(dq);
+  }
   for (int leg = 0; leg < kLegs; ++leg) {
     terms_.legs[leg].depth *= depth_sign_[leg];
     terms_.legs[leg].M_leg.diagonal() += armature_error_.segment<3>(3 * leg);
+    terms_.legs[leg].h_leg += friction_torque_.segment<3>(3 * leg);
   }
   a_base_shift_.setZero();
 }
@@ -61,6 +73,7 @@ void Dynamics::write_full(FullDynamics& out) const noexcept {
     for (int i = 0; i < kMotors; ++i) {
       const int v = robot_.motor_to_v()[i];
       out.M(v, v) += armature_error_[i];
+      out.h[v] += friction_torque_[i];
     }
     return;
   }

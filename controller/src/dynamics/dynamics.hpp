@@ -5,6 +5,7 @@
 
 #include "dynamics/dynamics_terms.hpp"
 #include "surefoot/robot.hpp"
+#include "surefoot/types.hpp"
 
 namespace surefoot {
 
@@ -28,9 +29,9 @@ class Dynamics {
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
 
-  /// Set what is added to RobotConfig::armature from the next update() on, SDK motor order
-  /// [kg.m^2]. Initially 0. Real-time: yes.
-  void set_armature_error(const Vector12& error) noexcept { armature_error_ = error; }
+  /// Set the learnt errors of the joints, RobotState::armature_error, joint_damping and
+  /// joint_friction, which update() adds to the mass matrix and to h. Initially 0. Real-time: yes.
+  void set_joints(const RobotState& state) noexcept;
 
   /// Compute all terms at a state.
   /// @param q configuration, shape (nq,)
@@ -84,7 +85,10 @@ class Dynamics {
   std::unique_ptr<QuadrupedDynamics> quadruped_;  ///< null if the robot has another shape
   std::unique_ptr<PinocchioDynamics> pinocchio_;  ///< null if quadruped_ is used
   DynamicsTerms terms_;
-  Vector12 armature_error_ = Vector12::Zero();  // see set_armature_error()
+  // See set_joints().
+  Vector12 armature_error_ = Vector12::Zero(), damping_ = Vector12::Zero(),
+           friction_ = Vector12::Zero();
+  Vector12 friction_torque_ = Vector12::Zero();  // [N.m] at the velocity of update()
   Vector3 a_base_shift_;
   bool condensable_;
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};  // see LegDynamics::depth

@@ -88,7 +88,7 @@ void StateEstimator::Impl::update_dynamics() noexcept {
   state.q.head<3>().setZero();
   state.v.head<3>().setZero();
   state.v.segment<3>(3) = w_base;
-  dynamics.set_armature_error(armature.error());
+  dynamics.set_joints(state);
   dynamics.update(state.q, state.v, normal);
 }
 
@@ -137,8 +137,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
                   dt);
   state.friction = friction.share() * slip.friction(gains);
   if (torques_valid())
-    armature.update({v_contact, leg_forces.missing_torque(), leg_forces.ddq(), dq}, dt);
-  state.armature_error = armature.error();
+    joints.update({dynamics, v_contact, leg_forces.swing_torque(), q}, state, dt);
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "estimator/contact/armature_estimate.hpp"
 #include "estimator/contact/contact_confidence.hpp"
 #include "estimator/contact/foot_clearance.hpp"
 #include "estimator/contact/friction_estimate.hpp"
+#include "estimator/contact/joint_estimate.hpp"
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
 #include "estimator/contact/sole_load.hpp"
@@ -79,7 +79,7 @@ struct StateEstimator::Impl {
   StepDetector step_detector;
   SlipDetector slip;
   FrictionEstimate friction;
-  ArmatureEstimate armature;
+  JointEstimate joints;
   FootClearance clearance;
   PayloadObserver payload;
   PushObserver push;

@@ -70,7 +70,7 @@ StateEstimator::Impl::Impl(const Robot& r)
       dynamics(r),
       contact(r.mass() * kGravity),
       friction(r),
-      armature(r),
+      joints(r),
       payload(r.mass()),
       state(r.nq(), r.nv()) {}
 
@@ -93,7 +93,10 @@ void StateEstimator::Impl::reset() noexcept {
   air_time = 0.0;
   slip.reset();
   friction.reset();
-  armature.reset();
+  joints.reset();
+  state.armature_error.setZero();
+  state.joint_damping.setZero();
+  state.joint_friction.setZero();
   clearance.reset();
   payload.reset();
   push.reset();

@@ -154,7 +154,7 @@ Status Controller::Impl::estimate_and_solve(const LowState& low_state, double dt
 
 Status Controller::Impl::predict_and_solve(Status plan_status, double dt) noexcept {
   RobotState& predicted_state = predictor.predict(state, clock.period());
-  predicted_dynamics.set_armature_error(state.armature_error);
+  predicted_dynamics.set_joints(state);
   predicted_dynamics.update(predicted_state.q, predicted_state.v,
                             planned.reference().ground_normal);
   predicted_state.friction = state.friction =

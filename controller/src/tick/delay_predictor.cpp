@@ -78,6 +78,8 @@ RobotState& DelayPredictor::predict(const RobotState& state, double period) noex
   predicted_.moment_external = state.moment_external;
   predicted_.friction = state.friction;
   predicted_.armature_error = state.armature_error;
+  predicted_.joint_damping = state.joint_damping;
+  predicted_.joint_friction = state.joint_friction;
   return predicted_;
 }
 

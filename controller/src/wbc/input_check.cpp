@@ -31,7 +31,8 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
       !state.f_external.allFinite() || !state.f_sustained.allFinite() ||
       !state.moment_external.allFinite() || !state.friction.allFinite() ||
-      !state.armature_error.allFinite()) {
+      !state.armature_error.allFinite() || !state.joint_damping.allFinite() ||
+      !state.joint_friction.allFinite()) {
     return Status::kNonFinite;
   }
   const auto in_unit_range = [](const Eigen::Vector4d& x) {
@@ -40,8 +41,10 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (!in_unit_range(state.contact) || !in_unit_range(state.friction)) {
     return Status::kImplausible;
   }
-  if ((robot.config().armature + state.armature_error).minCoeff() < 0.0)
+  if ((robot.config().armature + state.armature_error).minCoeff() < 0.0 ||
+      state.joint_damping.minCoeff() < 0.0 || state.joint_friction.minCoeff() < 0.0) {
     return Status::kImplausible;
+  }
   const double norm = state.q.segment<4>(3).norm();
   return std::abs(norm - 1.0) > kUnitTolerance ? Status::kBadQuaternion : Status::kOk;
 }

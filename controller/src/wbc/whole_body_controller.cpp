@@ -100,7 +100,7 @@ const Solution& WholeBodyController::update(const RobotState& state,
     s.solution.status = status;
     return s.solution;
   }
-  s.dynamics.set_armature_error(state.armature_error);
+  s.dynamics.set_joints(state);
   s.dynamics.update(state.q, state.v, reference.ground_normal);
   return solve(s.dynamics, state, reference);
 }

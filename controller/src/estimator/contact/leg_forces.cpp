@@ -36,10 +36,9 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     residual += blend * (unfiltered_residual - residual);
     rotation += blend * (unfiltered_rotation - rotation);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
-    auto ddq = ddq_.segment<3>(3 * leg);
-    ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
+    const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
+    swing_torque_.segment<3>(3 * leg) = residual - unfiltered_rotation;
     // J^T f plus the torques of the stops. A torque of the sign that the stop exerts is removed.
-    missing_torque_.segment<3>(3 * leg) = residual - unfiltered_rotation - L.M_leg * ddq;
     Vector3 tau_contact = L.M_leg * ddq + rotation - residual;
     tau_contact =
         (stops.segment<3>(3 * leg).array() * tau_contact.array() < 0.0).select(0.0, tau_contact);

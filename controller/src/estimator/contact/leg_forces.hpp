@@ -41,12 +41,10 @@ class LegForces {
 
   /// Forces of the ground on the feet [N], FR FL RR RL, world axes.
   const FeetMatrix& forces() const noexcept { return forces_; }
-  /// Joint torques that the motion does not explain if no force acts on the feet [N.m], SDK motor
-  /// order: tau - h - M_bl^T a_b - M_l ddq, every term with the delay of one filter. In forces(),
-  /// alpha_base has passed two filters, which vibration of the gyroscope needs.
-  const Vector12& missing_torque() const noexcept { return missing_torque_; }
-  /// Joint accelerations, filtered like the torques [rad/s^2], SDK motor order.
-  const Vector12& ddq() const noexcept { return ddq_; }
+  /// Joint torques that accelerate the legs if no force acts on the feet [N.m], SDK motor order:
+  /// tau - h - M_bl^T a_b, every term with the delay of one filter. In forces(), alpha_base has
+  /// passed two filters, because of the vibration of the gyroscope.
+  const Vector12& swing_torque() const noexcept { return swing_torque_; }
 
   void reset() noexcept { *this = LegForces(); }
 
@@ -55,8 +53,7 @@ class LegForces {
   Vector12 residual_ = Vector12::Zero();     // [N.m] tau - h - M_bl^T (a_base, 0), filtered
   Vector12 rotation_ = Vector12::Zero();     // [N.m] M_bl^T (0, alpha_base), filtered
   Vector12 dq_filtered_ = Vector12::Zero();  // [rad/s] joint velocities, filtered
-  Vector12 ddq_ = Vector12::Zero();
-  Vector12 missing_torque_ = Vector12::Zero();
+  Vector12 swing_torque_ = Vector12::Zero();
   FeetMatrix forces_ = FeetMatrix::Zero();
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dynamics/dynamics.hpp"
-#include "estimator/contact/armature_estimate.hpp"
+#include "estimator/contact/joint_estimate.hpp"
 #include "quadruped.hpp"
 #include "robot_states.hpp"
 
@@ -45,7 +45,7 @@ struct SwingFixture {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(armature_estimate)
+BOOST_AUTO_TEST_SUITE(joint_estimate)
 
 BOOST_FIXTURE_TEST_CASE(half_a_second_of_swing_teaches_the_armature_of_all_legs, SwingFixture) {
   for (const double share : {-0.5, 0.5, 1.0}) {
