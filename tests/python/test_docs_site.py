@@ -48,7 +48,6 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("file", "old", "new", "named"),
     [
-        ("docs/safety.md", "# Safety", "# Safety\n\n[there](no-page.md)", "docs/safety.md:3: "),
         (
             "controller/include/surefoot/error.hpp",
             "namespace surefoot {",
@@ -75,6 +74,19 @@ def test_a_defect_is_named_in_one_line(
     finally:
         path.write_text(text)
     assert status == 1 and sum(named in line for line in lines) == 1, "\n".join(lines)
+
+
+def test_a_broken_link_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    sys.path.insert(0, str(ROOT / "docs" / "tools"))
+    import build_site
+
+    docs = tmp_path / "docs"
+    docs.mkdir()
+    (docs / "conf.py").write_text('extensions = ["myst_parser"]\n')
+    (docs / "index.md").write_text("# Page\n\n[there](no-page.md)\n")
+    monkeypatch.setattr(build_site, "ROOT", tmp_path)
+    (problem,) = build_site.run_sphinx("html", tmp_path / "out" / "docs")
+    assert problem.startswith("docs/index.md:3: ") and "no-page" in problem
 
 
 def test_a_public_name_without_docstring_is_named(tmp_path: Path) -> None:

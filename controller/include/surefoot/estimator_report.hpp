@@ -55,9 +55,10 @@ struct EstimatorReport {
   /// Rotor inertia of each joint, learnt from legs that swing [kg.m^2], SDK motor order. Initially
   /// RobotConfig::armature.
   Vector12 armature = Vector12::Zero();
-  /// Viscous [N.m.s/rad] and Coulomb friction [N.m] of each joint, learnt from legs that swing, SDK
-  /// motor order. Initially 0.
+  /// Viscous friction of each joint, learnt from legs that swing [N.m.s/rad], SDK motor order.
+  /// Initially 0.
   Vector12 joint_damping = Vector12::Zero();
+  /// Coulomb friction of each joint, learnt from legs that swing [N.m], SDK motor order. Initially 0.
   Vector12 joint_friction = Vector12::Zero();
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes

@@ -79,10 +79,11 @@ struct RobotState {
   /// [kg.m^2] Rotor inertia of each joint as learnt by the estimator, minus RobotConfig::armature,
   /// SDK motor order. The sum of both must not be negative.
   Vector12 armature_error = Vector12::Zero();
-  /// Friction of each joint as learnt by the estimator, SDK motor order, 0 or more: the torque
-  /// joint_damping [N.m.s/rad] times velocity, and the torque joint_friction [N.m] against the
-  /// direction of motion. The controllers compensate both.
+  /// [N.m.s/rad] Viscous friction of each joint as learnt by the estimator, SDK motor order, 0 or
+  /// more. The controllers compensate it.
   Vector12 joint_damping = Vector12::Zero();
+  /// [N.m] Coulomb friction of each joint as learnt by the estimator, SDK motor order, 0 or more.
+  /// The controllers compensate it.
   Vector12 joint_friction = Vector12::Zero();
 };
 
