@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rotor inertia learnt from synthetic swings.
+// Rotor inertia and friction of joints, learnt from synthetic swings.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "dynamics/dynamics.hpp"
 #include "estimator/contact/joint_estimate.hpp"
+#include "estimator/contact/leg_forces.hpp"
 #include "quadruped.hpp"
 #include "robot_states.hpp"
+#include "wbc/input_check.hpp"
 
 using namespace surefoot;
 
@@ -14,91 +16,138 @@ namespace {
 
 constexpr double kPeriod = 0.002;
 
-// Leg FL swings: its foot moves, its joints oscillate, and the true armature is larger by `error`.
+// Leg FL swings: its foot moves, its joints oscillate, and the joints differ from the model.
 struct SwingFixture {
   Robot robot = quadruped();
-  ArmatureEstimate armature{robot};
-  double error = 0.0;     // [kg.m^2]
-  double damping = 0.0;   // [N.m.s/rad]
-  double coulomb = 0.0;   // [N.m]
-  double foot_speed = 1;  // [m/s]
-  double hit = 0.0;       // [N.m] torque that the model cannot explain
+  Dynamics dynamics{robot};
+  JointEstimate joints{robot};
+  RobotState state = standing_state(robot);
+  double error = 0.0;       // [kg.m^2]
+  double damping = 0.0;     // [N.m.s/rad]
+  double coulomb = 0.0;     // [N.m]
+  double foot_speed = 1.0;  // [m/s]
+  double hit = 0.0;         // [N.m] torque that the model cannot explain
+  double time = 0.0;        // [s]
+  Vector12 torque = Vector12::Zero();
 
-  const Vector12& swing(double seconds) {
+  double configured() const { return robot.config().armature[0]; }
+  // The dynamics keep the standing pose, so that M is constant.
+  void swing(double seconds) {
     FeetMatrix v = FeetMatrix::Zero();
     v(0, FL_) = foot_speed;
-    for (int k = 0; k < seconds / kPeriod; ++k) {
-      constexpr double w = 20.0;  // [rad/s]
-      const double phase = w * k * kPeriod, speed = 5.0 * std::sin(phase);
-      Vector12 dq = Vector12::Zero(), ddq = Vector12::Zero(), missing = Vector12::Zero();
-      dq.segment<3>(3 * FL_).setConstant(speed);
-      ddq.segment<3>(3 * FL_).setConstant(5.0 * w * std::cos(phase));
-      missing = (error * Vector12::Ones() - armature.error()).cwiseProduct(ddq) + damping * dq;
-      missing.array() += coulomb * dq.array().sign();
-      missing.segment<3>(3 * FL_).array() += hit;
-      armature.update({v, missing, ddq, dq}, kPeriod);
+    const double end = time + seconds;
+    for (; time < end; time += kPeriod) {
+      constexpr double w = 20.0, amplitude = 0.25;  // [rad/s], [rad]
+      const double dq = amplitude * w * std::sin(w * time);
+      Vector12 q = Vector12::Zero(), unfiltered = Vector12::Zero();
+      q.segment<3>(3 * FL_).setConstant(-amplitude * std::cos(w * time));
+      const double ddq = amplitude * w * w * std::cos(w * time);
+      dynamics.set_joints(state);
+      dynamics.update(state.q, state.v, Vector3::UnitZ());
+      Vector3 tau = dynamics.legs()[FL_].M_leg * Vector3::Constant(ddq);
+      tau += (Vector3::Constant(error) - state.armature_error.segment<3>(3 * FL_)) * ddq;
+      tau += (Vector3::Constant(damping) - state.joint_damping.segment<3>(3 * FL_)) * dq;
+      const double sign = dq > 0.0 ? 1.0 : -1.0;
+      tau += (Vector3::Constant(coulomb) - state.joint_friction.segment<3>(3 * FL_)) * sign;
+      unfiltered.segment<3>(3 * FL_) = tau + Vector3::Constant(hit);
+      torque += kPeriod / (kPeriod + LegForces::kFilterTime) * (unfiltered - torque);
+      joints.update({dynamics, v, torque, q}, state, kPeriod);
     }
-    return armature.error();
   }
-  double configured() const { return robot.config().armature[0]; }
 };
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(joint_estimate)
 
-BOOST_FIXTURE_TEST_CASE(half_a_second_of_swing_teaches_the_armature_of_all_legs, SwingFixture) {
+BOOST_FIXTURE_TEST_CASE(a_second_of_swing_teaches_the_armature_of_all_legs, SwingFixture) {
   for (const double share : {-0.5, 0.5, 1.0}) {
-    armature.reset();
+    joints.reset();
+    state.armature_error.setZero();
     error = share * configured();
-    for (const double learnt : swing(0.5))
-      BOOST_TEST(std::abs(learnt - error) < 0.1 * configured());
+    swing(1.0);
+    BOOST_TEST((state.armature_error.array() - error).abs().maxCoeff() < 0.15 * configured());
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(friction_of_the_joints_is_not_taken_for_armature, SwingFixture) {
+BOOST_FIXTURE_TEST_CASE(friction_is_not_taken_for_armature, SwingFixture) {
   damping = 0.1;
   coulomb = 0.5;
-  BOOST_TEST(swing(1.0).cwiseAbs().maxCoeff() < 0.1 * configured());
+  swing(2.0);
+  BOOST_TEST(state.armature_error.cwiseAbs().maxCoeff() < 0.2 * configured());
+  const double speed = 4.0, truth = coulomb + damping * speed;  // [rad/s], [N.m]
+  const Vector12 learnt = state.joint_friction + speed * state.joint_damping;
+  BOOST_TEST((learnt.array() / truth - 1.0).abs().maxCoeff() < 0.2);
 }
 
 BOOST_FIXTURE_TEST_CASE(foot_that_does_not_move_teaches_nothing, SwingFixture) {
   error = configured();
   foot_speed = 0.1;
-  BOOST_TEST(swing(1.0).isZero());
+  swing(1.0);
+  BOOST_TEST(state.armature_error.isZero());
 }
 
-BOOST_FIXTURE_TEST_CASE(armature_is_never_negative, SwingFixture) {
+BOOST_FIXTURE_TEST_CASE(results_have_physical_limits, SwingFixture) {
   error = -3.0 * configured();
-  BOOST_TEST(swing(2.0).minCoeff() == -configured());
+  damping = -1.0;
+  swing(2.0);
+  BOOST_TEST(state.armature_error.minCoeff() == -configured());
+  BOOST_TEST(state.joint_damping.isZero());
+  error = 0.0;
+  damping = 100.0;
+  swing(5.0);
+  const RobotConfig& config = robot.config();
+  BOOST_TEST((state.joint_damping.array() * config.no_load_speed.array() <=
+              config.tau_max.array() * (1.0 + 1e-12))
+                 .all());
 }
 
 BOOST_FIXTURE_TEST_CASE(a_foot_that_hits_something_changes_little, SwingFixture) {
-  swing(0.5);
+  swing(1.0);
   hit = 10.0;
   swing(0.02);
-  hit = 0.0;
-  BOOST_TEST(swing(0.0).cwiseAbs().maxCoeff() < 0.2 * configured());
+  BOOST_TEST(state.armature_error.cwiseAbs().maxCoeff() < 0.2 * configured());
 }
 
-// The learnt armature is a part of the mass matrix, in both sources of the dynamics.
-BOOST_AUTO_TEST_CASE(armature_error_is_added_to_the_mass_matrix) {
+BOOST_AUTO_TEST_CASE(negative_friction_and_armature_are_implausible) {
+  const Robot robot = quadruped();
+  const RobotState valid = standing_state(robot);
+  for (Vector12 RobotState::* field :
+       {&RobotState::armature_error, &RobotState::joint_damping, &RobotState::joint_friction}) {
+    RobotState state = valid;
+    (state.*field)[5] = -1.0;
+    BOOST_TEST((check_state(state, robot) == Status::kImplausible));
+    (state.*field)[5] = NAN;
+    BOOST_TEST((check_state(state, robot) == Status::kNonFinite));
+  }
+  BOOST_TEST((check_state(valid, robot) == Status::kOk));
+}
+
+// Learnt armature and friction are parts of M and h, in both sources of the dynamics.
+BOOST_AUTO_TEST_CASE(joint_errors_are_added_to_the_equations_of_motion) {
   const Robot robot = quadruped();
   const RobotState state = random_state(robot, 3, 0.5);
-  const Vector12 error = Vector12::LinSpaced(0.001, 0.012);
+  RobotState learnt = state;
+  learnt.armature_error = Vector12::LinSpaced(0.001, 0.012);
+  learnt.joint_damping = Vector12::LinSpaced(0.1, 1.2);
   for (const auto source : {Dynamics::Source::kAuto, Dynamics::Source::kPinocchio}) {
     Dynamics plain(robot, source), changed(robot, source);
-    changed.set_armature_error(error);
+    changed.set_joints(learnt);
     plain.update(state.q, state.v, Vector3::UnitZ());
     changed.update(state.q, state.v, Vector3::UnitZ());
     FullDynamics before(robot.nv()), after(robot.nv());
     plain.write_full(before);
     changed.write_full(after);
-    Eigen::VectorXd expected = Eigen::VectorXd::Zero(robot.nv());
-    for (int i = 0; i < kMotors; ++i) expected[robot.motor_to_v()[i]] = error[i];
+    Eigen::VectorXd expected = Eigen::VectorXd::Zero(robot.nv()), torque = expected;
+    for (int i = 0; i < kMotors; ++i) expected[robot.motor_to_v()[i]] = learnt.armature_error[i];
+    for (int i = 0; i < kMotors; ++i) {
+      const int v = robot.motor_to_v()[i];
+      torque[v] = learnt.joint_damping[i] * state.v[v];
+    }
+    BOOST_TEST((after.h - before.h).isApprox(torque, 1e-9));
     BOOST_TEST((after.M - before.M).isApprox(Eigen::MatrixXd(expected.asDiagonal()), 1e-9));
     BOOST_TEST((changed.legs()[RL_].M_leg - plain.legs()[RL_].M_leg)
-                   .isApprox(Matrix3(error.tail<3>().asDiagonal()), 1e-9));
+                   .isApprox(Matrix3(learnt.armature_error.tail<3>().asDiagonal()), 1e-9));
   }
 }
 

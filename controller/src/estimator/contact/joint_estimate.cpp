@@ -34,11 +34,11 @@ constexpr double kModelSigma = 0.005;
 // Initial standard deviation of the armature: this share of RobotConfig::armature, because models
 // of one robot differ by a factor of two, plus this share of the joint's inertia in the standing
 // pose, for a RobotConfig without armature.
-constexpr double kArmatureSigma = 1.0, kInertiaSigma = 0.05;
-// [tau_max / no_load_speed] Initial standard deviation of the viscous friction.
-constexpr double kDampingSigma = 0.5;
+constexpr double kArmatureSigma = 1.0, kInertiaSigma = 0.1;
+// [largest damping] Initial standard deviation of the viscous friction.
+constexpr double kDampingSigma = 1.0;
 // [tau_max] Initial standard deviation of the Coulomb friction.
-constexpr double kCoulombSigma = 0.02;
+constexpr double kCoulombSigma = 0.05;
 // [s] Swing time over which the memory fades to 1/e. Friction changes when a gear warms up.
 constexpr double kMemoryTime = 10.0;
 // Standard deviations beyond which the missing torque of a sample counts no more.
@@ -55,7 +55,8 @@ JointEstimate::JointEstimate(const Robot& robot)
   for (int k = 0; k < kLegJoints; ++k) {
     initial_sigma_(0, k) =
         kArmatureSigma * configured_[k] + kInertiaSigma * standing.legs()[0].M_leg(k, k);
-    initial_sigma_(1, k) = kDampingSigma * tau_max_[k] / robot.config().no_load_speed[k];
+    max_damping_[k] = tau_max_[k] / robot.config().no_load_speed[k];
+    initial_sigma_(1, k) = kDampingSigma * max_damping_[k];
     initial_sigma_(2, k) = kCoulombSigma * tau_max_[k];
     kind_[k] = k;
     for (int j = k - 1; j >= 0; --j) {
@@ -99,7 +100,8 @@ void JointEstimate::update(const JointInput& input, RobotState& state, double dt
   for (int i = 0; i < kMotors; ++i) {
     const Vector3& x = certain[kind_[i % kLegJoints]];
     state.armature_error[i] = std::max(x[0], -configured_[i]);
-    state.joint_damping[i] = std::max(x[1], 0.0);
+    // A motor that reaches its no-load speed has less friction than tau_max there.
+    state.joint_damping[i] = std::clamp(x[1], 0.0, max_damping_[i % kLegJoints]);
     state.joint_friction[i] = std::max(x[2], 0.0);
   }
 }

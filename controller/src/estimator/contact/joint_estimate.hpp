@@ -30,8 +30,8 @@ struct JointInput {
 /// armature too small.
 ///
 /// A foot that moves fast against the slowest foot is in the air. This needs no contact forces:
-/// a wrong armature falsifies the forces that the torques give. The torque of one sample counts
-/// only up to a few standard deviations, because a fast foot may also hit something.
+/// a wrong armature falsifies the forces that the torques give. A fast foot may also hit something,
+/// so a sample that the estimate does not explain by a few standard deviations does not count.
 ///
 /// Errors of the model do not average out over many swings. An estimate whose joint hardly moves
 /// contains little else, so it is reduced: the result is the estimate of a single measurement with
@@ -78,6 +78,7 @@ class JointEstimate {
   double air_speed_;     // [m/s] relative speed of a foot in the air
   Vector12 configured_;  // RobotConfig::armature
   Vector3 tau_max_;      // [N.m] hip, thigh, calf
+  Vector3 max_damping_;  // [N.m.s/rad] hip, thigh, calf
   // Initial standard deviations: armature, damping, friction; columns: hip, thigh, calf.
   Matrix3 initial_sigma_;
   std::array<int, kLegJoints> kind_;  // index into regressions_: hip, thigh, calf
