@@ -24,7 +24,9 @@ void bind_counts(nb::module_& m) {
       .def_ro("timeouts", &DdsCounts::timeouts,
               "Commands that a slow reliable reader blocked for 1 ms.")
       .def_ro("conflicts", &DdsCounts::conflicts,
-              "Commands replaced by damping because of RobotLink.conflict.")
+              "Commands that were not sent because of RobotLink.conflict; damping was sent, or\n"
+              "nothing.")
+      .def_ro("withheld", &DdsCounts::withheld, "Those of conflicts for which nothing was sent.")
       .def_ro("without_crc", &DdsCounts::without_crc,
               "Valid LowStates whose crc was 0, so no CRC was checked.")
       .def_ro("without_head", &DdsCounts::without_head,
@@ -41,10 +43,13 @@ void bind_dds_link(nb::module_& m) {
       m, "DdsLink",
       "Link to a Go2 or B2 over DDS: writes rt/lowcmd, reads rt/lowstate.\n\n"
       "Until a valid LowState has arrived, only damping is sent, whatever command is\n"
-      "given. All 20 motors are always in servo mode, and every command has a CRC. While\n"
-      "another writer of rt/lowcmd or a second writer of rt/lowstate exists, the link\n"
-      "sends only damping, see conflict. A thread of the link looks for such writers\n"
-      "every 50 ms. Not thread-safe, except for take_news(). For a real robot use Runner.")
+      "given. All 20 motors are always in servo mode, and every command has a CRC. Not\n"
+      "thread-safe, except for take_news(). For a real robot use Runner.\n\n"
+      "A thread of the link looks for other writers every 50 ms. They are a conflict.\n"
+      "Beside another writer of rt/lowcmd the link sends damping 10 times, and then nothing\n"
+      "until that writer has gone, because the commands of two programs in turn are not\n"
+      "safe. If no command of the caller has been sent yet, the link sends nothing at once.\n"
+      "With a second writer of rt/lowstate it sends only damping.")
       .def(
           "__init__",
           [](DdsLink* self, std::shared_ptr<DdsNetwork> network, const std::string& robot,

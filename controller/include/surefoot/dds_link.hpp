@@ -32,8 +32,10 @@ struct DdsLinkOptions {
 
 /// Counts of a DdsLink beyond LinkCounts.
 struct DdsCounts {
-  std::uint64_t timeouts = 0;     ///< commands that a slow reliable reader blocked for 1 ms
-  std::uint64_t conflicts = 0;    ///< commands replaced by damping because of LinkStatus::conflict
+  std::uint64_t timeouts = 0;  ///< commands that a slow reliable reader blocked for 1 ms
+  /// commands that were not sent because of LinkStatus::conflict; damping was sent, or nothing
+  std::uint64_t conflicts = 0;
+  std::uint64_t withheld = 0;     ///< those of `conflicts` for which nothing was sent
   std::uint64_t without_crc = 0;  ///< valid LowStates whose crc was 0, so no CRC was checked
   /// valid LowStates without a head, whose motors are taken for being in servo mode
   std::uint64_t without_head = 0;
@@ -43,10 +45,19 @@ struct DdsCounts {
 /// Link to a Go2 or B2 over DDS: writes rt/lowcmd, reads rt/lowstate.
 ///
 /// Until a valid LowState has arrived, only damping is sent, whatever command is given. All 20
-/// motors are always in servo mode, and every command has a CRC. While another writer of rt/lowcmd
-/// or a second writer of rt/lowstate exists, the link sends only damping, see LinkStatus::conflict.
-/// A thread of the link looks for such writers every 50 ms. Not thread-safe, except for
+/// motors are always in servo mode, and every command has a CRC. Not thread-safe, except for
 /// take_news().
+///
+/// A thread of the link looks for other writers every 50 ms. They are a conflict, see
+/// LinkStatus::conflict:
+///
+/// - Another writer of rt/lowcmd: the link sends damping 10 times, and then nothing until that
+///   writer has gone. If no command of the caller has been sent yet, the link sends nothing at
+///   once. Otherwise the motors would get the commands of two programs in turn. Damping in turn
+///   with another program's commands is not safe either. The last command of this link is damping,
+///   so a robot that receives no other command does not keep a torque.
+/// - A second writer of rt/lowstate, a writer of another type, or writers that cannot be read: the
+///   link sends only damping, because no other program is known to command the robot.
 class DdsLink final : public RobotLink {
  public:
   /// Open the link; takes discovery_time. Throws surefoot::Error if an option is out of range, if a
@@ -62,10 +73,10 @@ class DdsLink final : public RobotLink {
   bool receive() noexcept override;
   static constexpr int kMaxSamplesPerReceive = 64;  ///< most samples that receive() takes
 
-  /// Send a command. Until has_state() is true, while status().conflict is true, or if the command
-  /// is not finite, damping is sent instead. Blocks for at most 1 ms. Real-time: yes; libddsc may
-  /// lock and allocate.
-  /// @return how the command was encoded; kNotFinite: damping was sent instead
+  /// Send a command. Until has_state() is true, or if the command is not finite, damping is sent
+  /// instead. While status().conflict is true, damping or nothing is sent. Blocks for at most 1 ms.
+  /// Real-time: yes; libddsc may lock and allocate.
+  /// @return how the command was encoded; kNotFinite: it was not sent
   FrameReport send(const LowCmd& cmd) noexcept override;
   const LinkStatus& status() const noexcept override;  ///< present state of the link
   bool allows_real_robot() const noexcept override;    ///< DdsNetworkOptions::real_robot

@@ -38,7 +38,7 @@ struct LinkStatus {
   LinkCounts counts;                  ///< counts since the link was opened
   FrameReport last_reject;            ///< why the last invalid message was rejected
   /// True while another program commands the robot, or a second robot sends LowStates. The link
-  /// then sends only damping. Only a DDS link detects this.
+  /// then sends damping or nothing, see DdsLink. Only a DDS link detects this.
   bool conflict = false;
 };
 

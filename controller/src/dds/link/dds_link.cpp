@@ -27,7 +27,12 @@ constexpr std::uint64_t kStandingTicks = 50;
 // [s] Silence that take_news() reports. Equal to kRobotWatchdogTime. DDS itself notices a process
 // that has crashed only after 10 s.
 constexpr double kReportedSilence = 0.1;
-constexpr std::size_t kStateRule = 1;  // position of the rule of kStateTopic in link_rules()
+// Positions of the rules of kCommandTopic and kStateTopic in link_rules().
+constexpr std::size_t kCommandRule = 0, kStateRule = 1;
+// Number of damping commands that follow the last command of the caller, before the link is silent
+// beside another commander. Chosen: 20 ms at 500 Hz; one or two may be lost. If larger: both
+// programs alternate on the motors for longer.
+constexpr int kLastDampings = 10;
 
 const DdsLinkOptions& checked(const DdsLinkOptions& options) {
   const auto check = [](const char* name, double got, double lower, double upper,
@@ -62,6 +67,7 @@ struct DdsLink::Impl {
     std::memset(&sample, 0, sizeof(sample));
   }
   bool process_sample(double time) noexcept;
+  const DdsLowCmd* choose(bool usable) noexcept;
   void add_silence(std::vector<std::string>& news);
 
   DdsLinkOptions options;
@@ -70,6 +76,7 @@ struct DdsLink::Impl {
   PeerWatch peers;
   DdsWriter writer;
   DdsLowCmd command, damping;
+  int dampings_left = 0;  // damping commands that may still be sent beside another commander
   DdsLowState sample;
   LowState incoming = init_low_state();
   ArrivalTick arrival_tick;
@@ -129,17 +136,34 @@ bool DdsLink::Impl::process_sample(double time) noexcept {
 
 FrameReport DdsLink::send(const LowCmd& cmd) noexcept {
   Impl& s = *impl_;
-  const LinkStatus& status = s.intake.status;
   const FrameReport report = to_dds(cmd, s.options.robot, s.options.damping_kd, s.command);
   const bool usable = is_usable(report.status);
   if (!usable) ++s.intake.status.counts.refused;
-  if (status.conflict) ++s.counts.conflicts;
-  const DdsLowCmd& outgoing =
-      usable && status.has_state && !status.conflict ? s.command : s.damping;
-  const ddsc::Return result = s.writer.write(&outgoing);
+  const DdsLowCmd* const outgoing = s.choose(usable);
+  if (outgoing == nullptr) return report;
+  const ddsc::Return result = s.writer.write(outgoing);
   if (result == ddsc::kTimeout) ++s.counts.timeouts;
   ++(result == 0 ? s.intake.status.counts.sent : s.intake.status.counts.send_failed);
   return report;
+}
+
+// Return what to write: `command`, `damping`, or nullptr for nothing. See the comment of DdsLink.
+// @param usable whether `command` is finite
+const DdsLowCmd* DdsLink::Impl::choose(bool usable) noexcept {
+  intake.status.conflict = peers.conflict();
+  if (!intake.status.conflict) {
+    if (!usable || !intake.status.has_state) return &damping;
+    dampings_left = kLastDampings;
+    return &command;
+  }
+  ++counts.conflicts;
+  if (!peers.crowded(kCommandRule)) return &damping;
+  if (dampings_left > 0) {
+    --dampings_left;
+    return &damping;
+  }
+  ++counts.withheld;
+  return nullptr;
 }
 
 const LinkStatus& DdsLink::status() const noexcept { return impl_->intake.status; }

@@ -43,7 +43,7 @@ void PeerWatch::check_at_start(double discovery_time) {
   std::this_thread::sleep_for(std::chrono::duration<double>(discovery_time));
   for (std::size_t k = 0; k < rules_.size(); ++k) {
     const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-    const std::string problem = problem_of(rules_[k], writers);
+    const std::string problem = judge(rules_[k], writers).problem;
     if (!problem.empty()) throw Error(problem);
     report_changes(k, writers);
   }
@@ -61,35 +61,45 @@ void PeerWatch::run() {
 // Peers that cannot be read count as a conflict: they are unknown.
 void PeerWatch::look() {
   bool conflict = false;
+  unsigned crowded = 0;
   try {
     for (std::size_t k = 0; k < rules_.size(); ++k) {
       const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-      conflict = !problem_of(rules_[k], writers).empty() || conflict;
+      const Finding finding = judge(rules_[k], writers);
+      conflict = !finding.problem.empty() || conflict;
+      crowded |= (finding.crowded ? 1U : 0U) << k;
       report_changes(k, writers);
     }
+    crowded_.store(crowded);
   } catch (const Error&) {
     conflict = true;
   }
   conflict_.store(conflict);
 }
 
-// Return what is wrong with the writers of a topic; "" if nothing is.
-std::string PeerWatch::problem_of(const WriterRule& rule,
-                                  const std::vector<DiscoveredEndpoint>& writers) {
+// Return what is wrong with the writers of a topic.
+PeerWatch::Finding PeerWatch::judge(const WriterRule& rule,
+                                    const std::vector<DiscoveredEndpoint>& writers) const {
+  Finding finding;
   std::size_t others = 0;
   std::string owners;
   for (const DiscoveredEndpoint& writer : writers) {
     if (writer.guid == own_) continue;
     if (writer.type != rule.type) {
-      return std::string(rule.topic) + ": got a writer of type " + writer.type + " (" +
-             writer.owner + "), expected " + rule.type +
-             "; unitree_hg is the type of humanoids: choose another domain or interface";
+      finding.problem = std::string(rule.topic) + ": got a writer of type " + writer.type + " (" +
+                        writer.owner + "), expected " + rule.type +
+                        "; unitree_hg is the type of humanoids: choose another domain or interface";
+      continue;
     }
     owners += (others++ > 0 ? ", " : "") + writer.owner;
   }
-  if (others <= rule.max_writers) return "";
-  return std::string(rule.topic) + ": got " + std::to_string(others) + " other writer(s) (" +
-         owners + "), expected " + std::to_string(rule.max_writers) + "; " + rule.remedy;
+  finding.crowded = others > rule.max_writers;
+  if (finding.crowded && finding.problem.empty()) {
+    finding.problem = std::string(rule.topic) + ": got " + std::to_string(others) +
+                      " other writer(s) (" + owners + "), expected " +
+                      std::to_string(rule.max_writers) + "; " + rule.remedy;
+  }
+  return finding;
 }
 
 void PeerWatch::report_changes(std::size_t rule, const std::vector<DiscoveredEndpoint>& writers) {

@@ -36,8 +36,12 @@ class PeerWatch {
 
   /// Start the thread. @param own writer of this program, which no rule counts
   void start(const ddsc::Guid& own);
-  /// Return whether a rule is broken at present. From any thread. Real-time: yes.
+  /// Return whether a rule is broken at present, or the writers cannot be read. From any thread.
+  /// Real-time: yes.
   bool conflict() const noexcept { return conflict_.load(); }
+  /// Return whether the topic of a rule has too many writers of the right type at present. If the
+  /// writers cannot be read, the last known answer holds. From any thread. Real-time: yes.
+  bool crowded(std::size_t rule) const noexcept { return (crowded_.load() >> rule & 1U) != 0; }
   /// Return the processes that write the topic of a rule, "none" if there is none. From any thread.
   std::string owners(std::size_t rule);
   /// Return sentences about writers that came or vanished since the last call. From any thread.
@@ -47,14 +51,19 @@ class PeerWatch {
   void check_at_start(double discovery_time);
   void run();
   void look();
-  std::string problem_of(const WriterRule& rule, const std::vector<DiscoveredEndpoint>& writers);
+  struct Finding {
+    bool crowded = false;  // too many writers of the right type
+    std::string problem;   // "" if there is none
+  };
+  Finding judge(const WriterRule& rule, const std::vector<DiscoveredEndpoint>& writers) const;
   void report_changes(std::size_t rule, const std::vector<DiscoveredEndpoint>& writers);
 
   DdsDiscovery discovery_;
   std::vector<WriterRule> rules_;
   ddsc::Guid own_{};  // writer of this program; all zero: none yet
   std::atomic<bool> conflict_{false};
-  std::mutex mutex_;  // guards the members below
+  std::atomic<unsigned> crowded_{0};  // bit k: answer of crowded(k)
+  std::mutex mutex_;                  // guards the members below
   std::condition_variable stopped_;
   bool stop_ = false;
   std::vector<std::map<ddsc::Guid, std::string>> known_;  // writers by rule, with their owners
