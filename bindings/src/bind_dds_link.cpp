@@ -32,6 +32,9 @@ void bind_counts(nb::module_& m) {
       .def_ro("without_head", &DdsCounts::without_head,
               "Valid LowStates without a head, whose motors are taken for being in servo\n"
               "mode.")
+      .def_ro("second_robot", &DdsCounts::second_robot,
+              "LowStates of another writer than that of the first valid LowState; they are not\n"
+              "used.")
       .def_ro("without_tick", &DdsCounts::without_tick, "Valid LowStates whose tick was 0.");
 }
 
@@ -49,7 +52,8 @@ void bind_dds_link(nb::module_& m) {
       "Beside another writer of rt/lowcmd the link sends damping 10 times, and then nothing\n"
       "until that writer has gone, because the commands of two programs in turn are not\n"
       "safe. If no command of the caller has been sent yet, the link sends nothing at once.\n"
-      "With a second writer of rt/lowstate it sends only damping.")
+      "With a second writer of rt/lowstate it sends only damping. Only LowStates of one\n"
+      "writer are used: that of the first valid LowState, until it has gone.")
       .def(
           "__init__",
           [](DdsLink* self, std::shared_ptr<DdsNetwork> network, const std::string& robot,

@@ -39,6 +39,8 @@ struct DdsCounts {
   std::uint64_t without_crc = 0;  ///< valid LowStates whose crc was 0, so no CRC was checked
   /// valid LowStates without a head, whose motors are taken for being in servo mode
   std::uint64_t without_head = 0;
+  /// LowStates of another writer than that of the first valid LowState; they are not used
+  std::uint64_t second_robot = 0;
   std::uint64_t without_tick = 0;  ///< valid LowStates whose tick was 0
 };
 
@@ -47,6 +49,8 @@ struct DdsCounts {
 /// Until a valid LowState has arrived, only damping is sent, whatever command is given. All 20
 /// motors are always in servo mode, and every command has a CRC. Not thread-safe, except for
 /// take_news().
+///
+/// Only LowStates of one writer are used: that of the first valid LowState, until it has gone.
 ///
 /// A thread of the link looks for other writers every 50 ms. They are a conflict, see
 /// LinkStatus::conflict:
@@ -57,7 +61,8 @@ struct DdsCounts {
 ///   with another program's commands is not safe either. The last command of this link is damping,
 ///   so a robot that receives no other command does not keep a torque.
 /// - A second writer of rt/lowstate, a writer of another type, or writers that cannot be read: the
-///   link sends only damping, because no other program is known to command the robot.
+///   link sends only damping, because no other program is known to command the robot. The first
+///   LowState of a second writer is a conflict at once.
 class DdsLink final : public RobotLink {
  public:
   /// Open the link; takes discovery_time. Throws surefoot::Error if an option is out of range, if a

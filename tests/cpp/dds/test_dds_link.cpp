@@ -172,6 +172,36 @@ BOOST_FIXTURE_TEST_CASE(second_robot_makes_the_link_damp, LinkFixture) {
   BOOST_TEST(link.dds_counts().withheld == 0U);
 }
 
+BOOST_FIXTURE_TEST_CASE(states_of_a_second_robot_are_not_used_and_are_a_conflict_at_once,
+                        LinkFixture) {
+  robot.send_state(1);
+  BOOST_TEST(receive());
+  RobotEnd second(network->participant());
+  second.send_state(500);
+  BOOST_TEST(wait_until([this] { return link.receive() || link.dds_counts().second_robot > 0; }));
+  BOOST_TEST(std::uint32_t(link.state().tick) == 1U);
+  BOOST_TEST(link.status().conflict);
+  BOOST_TEST(link.dds_counts().second_robot == 1U);
+  BOOST_TEST(std::isnan(sent_tau()));
+  robot.send_state(3);
+  BOOST_TEST(receive());
+  BOOST_TEST(std::uint32_t(link.state().tick) == 3U);
+}
+
+BOOST_FIXTURE_TEST_CASE(robot_whose_writer_was_replaced_has_restarted, LinkFixture) {
+  robot.send_state(1000);
+  BOOST_TEST(receive());
+  robot.writer = DdsWriter(network->participant(), unitree_go_msg_dds__LowState__desc, kStateTopic);
+  std::uint32_t tick = 1;
+  BOOST_TEST(wait_until([&] {
+    robot.send_state(tick += 2);
+    return link.receive();
+  }));
+  BOOST_TEST(std::uint32_t(link.state().tick) < 1000U);
+  BOOST_TEST(link.counts().restarts == 1U);
+  BOOST_TEST(wait_until([this] { return !link.receive() && !link.status().conflict; }));
+}
+
 BOOST_AUTO_TEST_CASE(writer_of_another_type_is_refused_by_name) {
   const auto network = test_network();
   // A type of another name. The layout does not matter, because nothing is written.

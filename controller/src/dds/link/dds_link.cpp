@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "common/clock.hpp"
 #include "common/text.hpp"
@@ -33,6 +34,9 @@ constexpr std::size_t kCommandRule = 0, kStateRule = 1;
 // beside another commander. Chosen: 20 ms at 500 Hz; one or two may be lost. If larger: both
 // programs alternate on the motors for longer.
 constexpr int kLastDampings = 10;
+// [s] Time for which a LowState of a second robot is a conflict. Chosen: longer than PeerWatch
+// needs to find the writer of that robot.
+constexpr double kSecondRobotTime = 0.2;
 
 const DdsLinkOptions& checked(const DdsLinkOptions& options) {
   const auto check = [](const char* name, double got, double lower, double upper,
@@ -66,7 +70,11 @@ struct DdsLink::Impl {
     to_dds(damping_low_cmd(o.damping_kd), o.robot, o.damping_kd, damping);
     std::memset(&sample, 0, sizeof(sample));
   }
+  bool is_from_robot(std::uint64_t writer, double time) noexcept;
   bool process_sample(double time) noexcept;
+  bool in_conflict(double time) const noexcept {
+    return peers.conflict() || time - second_robot_time < kSecondRobotTime;
+  }
   const DdsLowCmd* choose(bool usable) noexcept;
   void add_silence(std::vector<std::string>& news);
 
@@ -84,6 +92,9 @@ struct DdsLink::Impl {
   DdsCounts counts;
   // [s] Time of the last receive() that found no sample, on monotonic_time().
   double last_empty_time = 0.0;
+  std::uint64_t robot_writer = 0;  // writer of the first valid LowState; 0: none yet
+  // [s] Arrival of the last LowState of a second robot.
+  double second_robot_time = -std::numeric_limits<double>::infinity();
   // Published for take_news(), which other threads call.
   std::atomic<bool> crc_missing{false}, head_missing{false}, tick_stands{false};
   bool crc_reported = false, head_reported = false, tick_reported = false;
@@ -96,21 +107,41 @@ DdsLink::~DdsLink() = default;
 
 bool DdsLink::receive() noexcept {
   Impl& s = *impl_;
-  s.intake.status.conflict = s.peers.conflict();
+  s.intake.status.conflict = s.in_conflict(monotonic_time());
   bool newer = false;
   for (int k = 0; k < kMaxSamplesPerReceive; ++k) {
     const double start = monotonic_time();
-    if (!s.reader.take(&s.sample)) {
+    std::uint64_t writer = 0;
+    if (!s.reader.take(&s.sample, &writer)) {
       s.last_empty_time = start;
       return newer;
     }
     // The stamp belongs to the newest sample, and may be one sample late.
     const double now = monotonic_time();
     const double arrival = std::clamp(s.reader.last_arrival(), s.last_empty_time, now);
+    if (!s.is_from_robot(writer, now)) continue;
+    const std::uint64_t valid = s.intake.status.counts.valid;
     newer = s.process_sample(arrival) || newer;
+    if (s.intake.status.counts.valid > valid) s.robot_writer = writer;
   }
   ++s.intake.status.counts.floods;
   return newer;
+}
+
+// Return whether a sample comes from the writer whose LowStates are used. If another writer is the
+// only one left, the robot has restarted. Otherwise the sample is one of a second robot: a
+// conflict.
+bool DdsLink::Impl::is_from_robot(std::uint64_t writer, double time) noexcept {
+  if (robot_writer == 0 || writer == robot_writer) return true;
+  if (peers.only_writer(kStateRule) == writer) {
+    robot_writer = 0;  // the next valid LowState decides
+    intake.restart();
+    return true;
+  }
+  ++counts.second_robot;
+  second_robot_time = time;
+  intake.status.conflict = true;
+  return false;
 }
 
 // Convert and count a sample, and store its LowState if it is newer than the stored one. Return
@@ -150,7 +181,7 @@ FrameReport DdsLink::send(const LowCmd& cmd) noexcept {
 // Return what to write: `command`, `damping`, or nullptr for nothing. See the comment of DdsLink.
 // @param usable whether `command` is finite
 const DdsLowCmd* DdsLink::Impl::choose(bool usable) noexcept {
-  intake.status.conflict = peers.conflict();
+  intake.status.conflict = in_conflict(monotonic_time());
   if (!intake.status.conflict) {
     if (!usable || !intake.status.has_state) return &damping;
     dampings_left = kLastDampings;

@@ -19,7 +19,10 @@ constexpr std::size_t kMaxNews = 64;  // chosen; bounds the memory if nobody tak
 
 PeerWatch::PeerWatch(const DdsParticipant& participant, std::vector<WriterRule> rules,
                      double discovery_time)
-    : discovery_(participant), rules_(std::move(rules)), known_(rules_.size()) {
+    : discovery_(participant),
+      rules_(std::move(rules)),
+      only_writer_(rules_.size()),
+      known_(rules_.size()) {
   check_at_start(discovery_time);
 }
 
@@ -42,10 +45,8 @@ PeerWatch::~PeerWatch() {
 void PeerWatch::check_at_start(double discovery_time) {
   std::this_thread::sleep_for(std::chrono::duration<double>(discovery_time));
   for (std::size_t k = 0; k < rules_.size(); ++k) {
-    const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-    const std::string problem = judge(rules_[k], writers).problem;
+    const std::string problem = look_at(k).problem;
     if (!problem.empty()) throw Error(problem);
-    report_changes(k, writers);
   }
 }
 
@@ -64,17 +65,24 @@ void PeerWatch::look() {
   unsigned crowded = 0;
   try {
     for (std::size_t k = 0; k < rules_.size(); ++k) {
-      const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-      const Finding finding = judge(rules_[k], writers);
+      const Finding finding = look_at(k);
       conflict = !finding.problem.empty() || conflict;
       crowded |= (finding.crowded ? 1U : 0U) << k;
-      report_changes(k, writers);
     }
     crowded_.store(crowded);
   } catch (const Error&) {
     conflict = true;
   }
   conflict_.store(conflict);
+}
+
+// Read the writers of the topic of a rule, note them, and return what is wrong with them.
+PeerWatch::Finding PeerWatch::look_at(std::size_t rule) {
+  const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[rule].topic);
+  report_changes(rule, writers);
+  const bool is_only = writers.size() == 1 && writers[0].guid != own_;
+  only_writer_[rule].store(is_only ? writers[0].handle : 0);
+  return judge(rules_[rule], writers);
 }
 
 // Return what is wrong with the writers of a topic.

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -42,6 +43,9 @@ class PeerWatch {
   /// Return whether the topic of a rule has too many writers of the right type at present. If the
   /// writers cannot be read, the last known answer holds. From any thread. Real-time: yes.
   bool crowded(std::size_t rule) const noexcept { return (crowded_.load() >> rule & 1U) != 0; }
+  /// Return the handle of the only writer of the topic of a rule, see DiscoveredEndpoint::handle; 0
+  /// if there is none or more than one. From any thread. Real-time: yes.
+  std::uint64_t only_writer(std::size_t rule) const noexcept { return only_writer_[rule].load(); }
   /// Return the processes that write the topic of a rule, "none" if there is none. From any thread.
   std::string owners(std::size_t rule);
   /// Return sentences about writers that came or vanished since the last call. From any thread.
@@ -55,6 +59,7 @@ class PeerWatch {
     bool crowded = false;  // too many writers of the right type
     std::string problem;   // "" if there is none
   };
+  Finding look_at(std::size_t rule);
   Finding judge(const WriterRule& rule, const std::vector<DiscoveredEndpoint>& writers) const;
   void report_changes(std::size_t rule, const std::vector<DiscoveredEndpoint>& writers);
 
@@ -63,7 +68,8 @@ class PeerWatch {
   ddsc::Guid own_{};  // writer of this program; all zero: none yet
   std::atomic<bool> conflict_{false};
   std::atomic<unsigned> crowded_{0};  // bit k: answer of crowded(k)
-  std::mutex mutex_;                  // guards the members below
+  std::vector<std::atomic<std::uint64_t>> only_writer_;
+  std::mutex mutex_;  // guards the members below
   std::condition_variable stopped_;
   bool stop_ = false;
   std::vector<std::map<ddsc::Guid, std::string>> known_;  // writers by rule, with their owners

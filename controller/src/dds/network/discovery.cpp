@@ -17,8 +17,8 @@ DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic)
                    "DDS reader of a built-in topic");
 }
 
-// Call use(sample) for every participant or endpoint that is alive. Throws surefoot::Error if they
-// cannot be read.
+// Call use(sample, handle) for every participant or endpoint that is alive. Throws surefoot::Error
+// if they cannot be read.
 template <typename Sample, typename Use>
 void for_each_alive(const ddsc::Functions& f, const DdsEntity& reader, Use&& use) {
   for (std::uint32_t size = kSamples;; size *= 2) {
@@ -30,7 +30,8 @@ void for_each_alive(const ddsc::Functions& f, const DdsEntity& reader, Use&& use
     for (ddsc::Return k = 0; all && k < count; ++k) {
       const ddsc::SampleInfo& info = infos[static_cast<std::size_t>(k)];
       if (info.valid_data && info.instance_state == ddsc::kInstanceAlive)
-        use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]));
+        use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]),
+            info.instance_handle);
     }
     if (count > 0) f.return_loan(reader.handle(), samples.data(), count);
     if (all) return;
@@ -67,10 +68,10 @@ std::vector<DiscoveredEndpoint> DdsDiscovery::endpoints(const DdsEntity& reader,
   const std::map<ddsc::Guid, std::string> names = owners();
   std::vector<DiscoveredEndpoint> found;
   for_each_alive<ddsc::EndpointSample>(
-      functions_, reader, [&](const ddsc::EndpointSample& endpoint) {
+      functions_, reader, [&](const ddsc::EndpointSample& endpoint, std::uint64_t handle) {
         if (topic != endpoint.topic_name) return;
         const auto owner = names.find(endpoint.participant_key);
-        found.push_back({endpoint.key, endpoint.type_name,
+        found.push_back({endpoint.key, handle, endpoint.type_name,
                          owner == names.end() ? "participant " + hex(endpoint.participant_key)
                                               : owner->second});
       });
@@ -81,7 +82,7 @@ std::map<ddsc::Guid, std::string> DdsDiscovery::owners() const {
   std::map<ddsc::Guid, std::string> names;
   for_each_alive<ddsc::ParticipantSample>(
       functions_, participants_,
-      [&](const ddsc::ParticipantSample& p) { names[p.key] = owner_text(p); });
+      [&](const ddsc::ParticipantSample& p, std::uint64_t) { names[p.key] = owner_text(p); });
   return names;
 }
 

@@ -12,8 +12,9 @@ namespace surefoot {
 /// Reader or writer that DDS has discovered, one of this process included.
 struct DiscoveredEndpoint {
   ddsc::Guid guid;
-  std::string type;   ///< name of its type, such as "unitree_go::msg::dds_::LowCmd_"
-  std::string owner;  ///< its process, such as "process python3 (pid 4242) on robot"
+  std::uint64_t handle;  ///< of a writer: SampleInfo::publication_handle of its samples
+  std::string type;      ///< name of its type, such as "unitree_go::msg::dds_::LowCmd_"
+  std::string owner;     ///< its process, such as "process python3 (pid 4242) on robot"
 };
 
 /// Lists the endpoints that DDS has discovered. Not thread-safe. Real-time: no.
