@@ -142,7 +142,7 @@ def test_run_damps_20_ms_after_the_last_state_and_names_the_robot(domain: int) -
     found = re.search(r"damping: stale: no LowState for (\d+) ms", output)
     assert found is not None, output
     assert 20 <= int(found[1]) <= 40
-    assert "no LowState for 0.1 s from process python" in output
+    assert "no valid LowState for 0.1 s from process python" in output
     there.finish()
 
 

@@ -87,8 +87,9 @@ class DdsLink final : public RobotLink {
   bool allows_real_robot() const noexcept override;    ///< DdsNetworkOptions::real_robot
   const DdsCounts& dds_counts() const noexcept;        ///< counts since the link was opened
 
-  /// Return what has changed since the last call, as sentences: peers that came or vanished,
-  /// missing CRCs, a tick that stands still. From any thread, one at a time. Real-time: no.
+  /// Return what has changed since the last call, as sentences: peers that came or vanished, 0.1 s
+  /// without a valid LowState, missing CRCs, a tick that stands still. From any thread, one at a
+  /// time. Real-time: no.
   std::vector<std::string> take_news();
 
  private:

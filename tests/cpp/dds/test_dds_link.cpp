@@ -111,6 +111,23 @@ BOOST_FIXTURE_TEST_CASE(tick_that_stands_at_0_is_said_with_the_remedy, LinkFixtu
   BOOST_TEST(contains(all(link.take_news()), "--tick arrival"));
 }
 
+BOOST_FIXTURE_TEST_CASE(robot_that_sends_only_invalid_states_is_reported_as_silent, LinkFixture) {
+  robot.send_state(1);
+  BOOST_TEST(receive());
+  link.take_news();
+  DdsLowState blank;
+  std::memset(&blank, 0, sizeof(blank));
+  for (int k = 0; k < 12; ++k) {
+    robot.writer.write(&blank);
+    pause(10);
+    link.receive();
+  }
+  BOOST_TEST(contains(all(link.take_news()), "no valid LowState for 0.1 s from process "));
+  robot.send_state(3);
+  BOOST_TEST(receive());
+  BOOST_TEST(contains(all(link.take_news()), "LowStates are back from process "));
+}
+
 BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {
   const auto network = test_network();
   RobotEnd robot(network->participant());
