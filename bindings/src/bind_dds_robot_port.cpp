@@ -49,9 +49,9 @@ void bind_dds_robot_port(nb::module_& m) {
           nb::call_guard<nb::gil_scoped_release>(),
           "Open the port; takes discovery_time [s], 0 .. 60.\n\n"
           "Raises:\n"
-          "    Error: The robot is neither 'go2' nor 'b2', another writer of rt/lowstate\n"
-          "        exists, or a writer of rt/lowcmd of another type. The message names its\n"
-          "        process.")
+          "    Error: The robot is neither 'go2' nor 'b2', discovery_time is out of range,\n"
+          "        another writer of rt/lowstate exists, or a writer of rt/lowcmd of another\n"
+          "        type. The message names its process.")
       .def(
           "receive",
           [](DdsRobotPort& port) {

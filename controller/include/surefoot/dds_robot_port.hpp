@@ -30,8 +30,9 @@ struct RobotPortCounts {
 /// Not thread-safe.
 class DdsRobotPort {
  public:
-  /// Open the port; takes discovery_time [s], 0 .. 60. Throws surefoot::Error if another writer of
-  /// rt/lowstate exists, or a writer of rt/lowcmd of another type; the message names its process.
+  /// Open the port; takes discovery_time [s], 0 .. 60. Throws surefoot::Error if discovery_time is
+  /// out of range, if another writer of rt/lowstate exists, or a writer of rt/lowcmd of another
+  /// type; the message names its process.
   DdsRobotPort(std::shared_ptr<DdsNetwork> network, DdsRobot robot, double discovery_time = 1.0);
   ~DdsRobotPort();
   DdsRobotPort(const DdsRobotPort&) = delete;

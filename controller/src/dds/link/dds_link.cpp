@@ -23,7 +23,6 @@ namespace {
 
 // [N.m.s/rad] Range of DdsLinkOptions::damping_kd, equal to the range of Gains::damping_kd.
 constexpr double kMinKd = 0.0625, kMaxKd = 50.0;
-constexpr double kMaxDiscoveryTime = 60.0;  // [s] chosen
 // Positions of the rules of kCommandTopic and kStateTopic in link_rules().
 constexpr std::size_t kCommandRule = 0, kStateRule = 1;
 // Number of damping commands that follow the last command of the caller, before the link is silent
@@ -35,15 +34,9 @@ constexpr int kLastDampings = 10;
 constexpr double kSecondRobotTime = 0.2;
 
 const DdsLinkOptions& checked(const DdsLinkOptions& options) {
-  const auto check = [](const char* name, double got, double lower, double upper,
-                        const char* unit) {
-    if (got >= lower && got <= upper) return;
-    throw Error(std::string(name) + ": got " + to_text(got) + ", expected " + to_text(lower) +
-                " .. " + to_text(upper) + unit);
-  };
-  check("damping_kd", options.damping_kd, kMinKd, kMaxKd, " [N.m.s/rad]");
-  check("discovery_time", options.discovery_time, 0.0, kMaxDiscoveryTime, " [s]");
-  return options;
+  if (options.damping_kd >= kMinKd && options.damping_kd <= kMaxKd) return options;
+  throw Error("damping_kd: got " + to_text(options.damping_kd) + ", expected " + to_text(kMinKd) +
+              " .. " + to_text(kMaxKd) + " [N.m.s/rad]");
 }
 
 std::vector<WriterRule> link_rules() {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -13,7 +14,8 @@ namespace {
 // Period of the thread. Chosen: a second commander is noticed before a robot has fallen far. If
 // shorter: the thread takes more time from the control loop.
 constexpr auto kPeriod = std::chrono::milliseconds(50);
-constexpr std::size_t kMaxNews = 64;  // chosen; bounds the memory if nobody takes them
+constexpr double kMaxDiscoveryTime = 60.0;  // [s] chosen
+constexpr std::size_t kMaxNews = 64;        // chosen; bounds the memory if nobody takes them
 
 }  // namespace
 
@@ -43,6 +45,10 @@ PeerWatch::~PeerWatch() {
 // Wait for the whole time even if no rule is broken: more peers may be discovered. Other writers
 // may still be leaving, so only those that exist at the end count.
 void PeerWatch::check_at_start(double discovery_time) {
+  if (!(discovery_time >= 0.0 && discovery_time <= kMaxDiscoveryTime)) {
+    throw Error("discovery_time: got " + to_text(discovery_time) + ", expected 0 .. " +
+                to_text(kMaxDiscoveryTime) + " [s]");
+  }
   std::this_thread::sleep_for(std::chrono::duration<double>(discovery_time));
   for (std::size_t k = 0; k < rules_.size(); ++k) {
     const std::string problem = look_at(k).problem;

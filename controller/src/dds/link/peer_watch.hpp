@@ -25,10 +25,10 @@ struct WriterRule {
 /// Watches the writers of some topics in a thread of its own.
 class PeerWatch {
  public:
-  /// Wait for peers to be discovered, and check them. Throws surefoot::Error if a writer has
-  /// another type, or if there are too many writers. The program creates its own writer afterwards,
-  /// so that a refused program does not disturb the others.
-  /// @param discovery_time [s]
+  /// Wait for peers to be discovered, and check them. Throws surefoot::Error if discovery_time is
+  /// out of range, if a writer has another type, or if there are too many writers. The program
+  /// creates its own writer afterwards, so that a refused program does not disturb the others.
+  /// @param discovery_time [s], 0 .. 60
   PeerWatch(const DdsParticipant& participant, std::vector<WriterRule> rules,
             double discovery_time);
   ~PeerWatch();
