@@ -85,6 +85,7 @@ void bind_dds_link(nb::module_& m) {
           "Counts since the link was opened, a copy.")
       .def("take_news", &DdsLink::take_news,
            "Return what has changed since the last call, as sentences: peers that came or\n"
-           "vanished, 0.1 s without a valid LowState, missing CRCs, a tick that stands still.\n"
-           "From any thread, one at a time.");
+           "vanished, 0.1 s without a valid LowState, missing CRCs, a tick that stands still,\n"
+           "commands that timed out and the readers that can block them. From any thread, one\n"
+           "at a time.");
 }

@@ -69,5 +69,6 @@ void bind_dds_robot_port(nb::module_& m) {
           "counts", [](const DdsRobotPort& port) { return RobotPortCounts(port.counts()); },
           "Counts since the port was opened, a copy.")
       .def("take_news", &DdsRobotPort::take_news,
-           "Return sentences about writers that came or vanished since the last call.");
+           "Return sentences about writers that came or vanished since the last call, and about\n"
+           "LowStates that a slow reader blocked.");
 }

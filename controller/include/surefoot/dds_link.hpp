@@ -88,8 +88,8 @@ class DdsLink final : public RobotLink {
   const DdsCounts& dds_counts() const noexcept;        ///< counts since the link was opened
 
   /// Return what has changed since the last call, as sentences: peers that came or vanished, 0.1 s
-  /// without a valid LowState, missing CRCs, a tick that stands still. From any thread, one at a
-  /// time. Real-time: no.
+  /// without a valid LowState, missing CRCs, a tick that stands still, commands that timed out and
+  /// the readers that can block them. From any thread, one at a time. Real-time: no.
   std::vector<std::string> take_news();
 
  private:

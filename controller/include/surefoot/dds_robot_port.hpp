@@ -52,7 +52,8 @@ class DdsRobotPort {
   /// writes nothing. Throws surefoot::Error if libddsc cannot create it.
   void set_sport_service(bool active);
   const RobotPortCounts& counts() const noexcept;  ///< counts since the port was opened
-  /// Return sentences about writers that came or vanished since the last call.
+  /// Return sentences about writers that came or vanished since the last call, and about LowStates
+  /// that a slow reader blocked.
   std::vector<std::string> take_news();
 
  private:

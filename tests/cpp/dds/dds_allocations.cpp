@@ -5,6 +5,8 @@
 #include <dlfcn.h>
 
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "dds/wire/low_state_conversion.hpp"
 #include "surefoot/dds_link.hpp"
@@ -67,5 +69,8 @@ int main(int argc, char** argv) {
   ticks_with_allocations(link, arrive, kTimeouts);
   expect(link.dds_counts().timeouts == kTimeouts, "writes that time out are counted");
   expect(link.counts().send_failed == kTimeouts, "they count as not sent");
+  const std::vector<std::string> news = link.take_news();
+  expect(!news.empty() && news.back().rfind("rt/lowcmd: 100 message(s) timed out", 0) == 0,
+         "they are reported with their topic");
   return failures == 0 ? 0 : 1;
 }

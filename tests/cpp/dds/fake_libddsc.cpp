@@ -52,6 +52,7 @@ Qos* dds_create_qos() { return nullptr; }
 void dds_delete_qos(Qos*) {}
 void dds_qset_reliability(Qos*, Reliability, std::int64_t) {}
 void dds_qset_history(Qos*, History, std::int32_t) {}
+bool dds_qget_reliability(const Qos*, Reliability*, std::int64_t*) { return false; }
 bool dds_qget_prop(const Qos*, const char*, char**) { return false; }
 Listener* dds_create_listener(void*) { return nullptr; }
 void dds_delete_listener(Listener*) {}

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <thread>
 
+#include "dds/link/blocked_writes.hpp"
 #include "dds/link/topics.hpp"
 #include "dds/network/endpoints.hpp"
 #include "dds/wire/low_cmd_conversion.hpp"
@@ -126,6 +127,29 @@ BOOST_FIXTURE_TEST_CASE(robot_that_sends_only_invalid_states_is_reported_as_sile
   robot.send_state(3);
   BOOST_TEST(receive());
   BOOST_TEST(contains(all(link.take_news()), "LowStates are back from process "));
+}
+
+BOOST_FIXTURE_TEST_CASE(commands_that_timed_out_are_reported_with_the_reliable_readers,
+                        LinkFixture) {
+  const DdsParticipant& participant = network->participant();
+  const auto reported = [&] {
+    BlockedWrites blocked(participant, kCommandTopic);
+    std::vector<std::string> news;
+    blocked.on_write(0);
+    blocked.add_to(news);
+    BOOST_TEST(news.empty());
+    blocked.on_write(ddsc::kTimeout);
+    blocked.add_to(news);
+    blocked.on_write(ddsc::kTimeout);
+    blocked.add_to(news);  // too early for another sentence
+    BOOST_TEST(news.size() == 1U);
+    return all(news);
+  };
+  // The reader of the fixture is best effort, so it cannot block a writer.
+  BOOST_TEST(contains(reported(), "rt/lowcmd: 1 message(s) timed out after 1 ms"));
+  BOOST_TEST(contains(reported(), "reliable readers: none at present"));
+  const ReliableReader reader(participant, unitree_go_msg_dds__LowCmd__desc, kCommandTopic);
+  BOOST_TEST(contains(reported(), "reliable readers: process "));
 }
 
 BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {

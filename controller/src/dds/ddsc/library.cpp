@@ -91,6 +91,7 @@ ddsc::Functions find_functions(void* handle, const std::string& path) {
   find("dds_delete_qos", f.delete_qos);
   find("dds_qset_reliability", f.qset_reliability);
   find("dds_qset_history", f.qset_history);
+  find("dds_qget_reliability", f.qget_reliability);
   find("dds_qget_prop", f.qget_prop);
   find("dds_create_listener", f.create_listener);
   find("dds_delete_listener", f.delete_listener);

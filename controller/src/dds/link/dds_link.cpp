@@ -8,6 +8,7 @@
 #include "common/clock.hpp"
 #include "common/text.hpp"
 #include "dds/link/arrival_tick.hpp"
+#include "dds/link/blocked_writes.hpp"
 #include "dds/link/peer_watch.hpp"
 #include "dds/link/state_news.hpp"
 #include "dds/link/topics.hpp"
@@ -55,6 +56,7 @@ struct DdsLink::Impl {
         reader(participant_of(network), unitree_go_msg_dds__LowState__desc, kStateTopic),
         peers(network->participant(), link_rules(), o.discovery_time),
         writer(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
+        blocked(network->participant(), kCommandTopic),
         news(o.tick) {
     peers.start(writer.guid());
     to_dds(damping_low_cmd(o.damping_kd), o.robot, o.damping_kd, damping);
@@ -85,6 +87,7 @@ struct DdsLink::Impl {
   std::uint64_t robot_writer = 0;  // writer of the first valid LowState; 0: none yet
   // [s] Arrival of the last LowState of a second robot.
   double second_robot_time = -std::numeric_limits<double>::infinity();
+  BlockedWrites blocked;
   StateNews news;
 };
 
@@ -165,7 +168,8 @@ FrameReport DdsLink::send(const LowCmd& cmd) noexcept {
   const DdsLowCmd* const outgoing = s.choose(usable);
   if (outgoing == nullptr) return report;
   const ddsc::Return result = s.writer.write(outgoing);
-  if (result == ddsc::kTimeout) ++s.counts.timeouts;
+  s.blocked.on_write(result);
+  s.counts.timeouts = s.blocked.count();
   ++(result == 0 ? s.intake.status.counts.sent : s.intake.status.counts.send_failed);
   return report;
 }
@@ -196,6 +200,7 @@ const DdsCounts& DdsLink::dds_counts() const noexcept { return impl_->counts; }
 std::vector<std::string> DdsLink::take_news() {
   std::vector<std::string> news = impl_->peers.take_news();
   impl_->news.add_to(news, impl_->peers.owners(kStateRule));
+  impl_->blocked.add_to(news);
   return news;
 }
 

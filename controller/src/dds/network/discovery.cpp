@@ -71,11 +71,17 @@ std::vector<DiscoveredEndpoint> DdsDiscovery::endpoints(const DdsEntity& reader,
       functions_, reader, [&](const ddsc::EndpointSample& endpoint, std::uint64_t handle) {
         if (topic != endpoint.topic_name) return;
         const auto owner = names.find(endpoint.participant_key);
-        found.push_back({endpoint.key, handle, endpoint.type_name,
+        found.push_back({endpoint.key, handle, endpoint.type_name, is_reliable(endpoint),
                          owner == names.end() ? "participant " + hex(endpoint.participant_key)
                                               : owner->second});
       });
   return found;
+}
+
+bool DdsDiscovery::is_reliable(const ddsc::EndpointSample& endpoint) const {
+  ddsc::Reliability reliability = ddsc::Reliability::kBestEffort;
+  return functions_.qget_reliability(endpoint.qos, &reliability, nullptr) &&
+         reliability == ddsc::Reliability::kReliable;
 }
 
 std::map<ddsc::Guid, std::string> DdsDiscovery::owners() const {

@@ -14,6 +14,7 @@ struct DiscoveredEndpoint {
   ddsc::Guid guid;
   std::uint64_t handle;  ///< of a writer: SampleInfo::publication_handle of its samples
   std::string type;      ///< name of its type, such as "unitree_go::msg::dds_::LowCmd_"
+  bool is_reliable;      ///< false: best effort
   std::string owner;     ///< its process, such as "process python3 (pid 4242) on robot"
 };
 
@@ -32,6 +33,7 @@ class DdsDiscovery {
                                             const std::string& topic) const;
   std::map<ddsc::Guid, std::string> owners() const;
   std::string owner_text(const ddsc::ParticipantSample& participant) const;
+  bool is_reliable(const ddsc::EndpointSample& endpoint) const;
 
   const ddsc::Functions& functions_;
   DdsEntity participants_, writers_, readers_;
