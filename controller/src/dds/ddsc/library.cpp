@@ -113,7 +113,7 @@ DdsLibrary load_dds_library(const std::string& path, bool allow_untested) {
   if (!allow_untested && !is_tested_library_version(library.version)) {
     throw Error("libddsc: got version " + library.version + " (" + library.path +
                 "), expected a tested one, " + tested_library_versions() + "; " + kRemedy +
-                ", or allow an untested version");
+                ", or allow an untested version with --untested-libddsc (untested_library)");
   }
   library.functions = find_functions(handle, library.path);
   return library;
