@@ -185,7 +185,8 @@ BOOST_FIXTURE_TEST_CASE(other_writer_of_commands_is_named_and_commands_alone_aft
     BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd found: process "));
     DdsLinkOptions options = LinkFixture::options();
     BOOST_CHECK_EXCEPTION(DdsLink(network, options), Error, [](const Error& error) {
-      return contains(error.what(), "rt/lowcmd: got 2 other writer(s) (process ");
+      return contains(error.what(), "rt/lowcmd: got 2 other writer(s) (process ") &&
+             contains(error.what(), "listed for up to 10 s: wait, then try again");
     });
   }
   BOOST_TEST(wait_until([this] { return !link.receive() && !link.status().conflict; }));

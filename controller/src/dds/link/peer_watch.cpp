@@ -14,6 +14,11 @@ namespace {
 // Period of the thread. Chosen: a second commander is noticed before a robot has fallen far. If
 // shorter: the thread takes more time from the control loop.
 constexpr auto kPeriod = std::chrono::milliseconds(50);
+// Remedy for the writer of a killed process, which stays listed until its lease of 10 s ends. The
+// check does not wait for that, because each refusal of a running program would take 10 s then.
+constexpr const char* kLeaseRemedy =
+    "; the writer of a process that was killed is still listed for up to 10 s: wait, then try "
+    "again";
 constexpr double kMaxDiscoveryTime = 60.0;  // [s] chosen
 constexpr std::size_t kMaxNews = 64;        // chosen; bounds the memory if nobody takes them
 
@@ -111,7 +116,7 @@ PeerWatch::Finding PeerWatch::judge(const WriterRule& rule,
   if (finding.crowded && finding.problem.empty()) {
     finding.problem = std::string(rule.topic) + ": got " + std::to_string(others) +
                       " other writer(s) (" + owners + "), expected " +
-                      std::to_string(rule.max_writers) + "; " + rule.remedy;
+                      std::to_string(rule.max_writers) + "; " + rule.remedy + kLeaseRemedy;
   }
   return finding;
 }
