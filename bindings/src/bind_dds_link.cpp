@@ -48,7 +48,7 @@ void bind_dds_link(nb::module_& m) {
       "Until a valid LowState has arrived, only damping is sent, whatever command is\n"
       "given. All 20 motors are always in servo mode, and every command has a CRC. Not\n"
       "thread-safe, except for take_news(). For a real robot use Runner.\n\n"
-      "A thread of the link looks for other writers every 50 ms. They are a conflict.\n"
+      "A thread of the link looks for other writers every 10 ms. They are a conflict.\n"
       "Beside another writer of rt/lowcmd the link sends damping 10 times, and then nothing\n"
       "until that writer has gone, because the commands of two programs in turn are not\n"
       "safe. If no command of the caller has been sent yet, the link sends nothing at once.\n"

@@ -52,7 +52,7 @@ struct DdsCounts {
 ///
 /// Only LowStates of one writer are used: that of the first valid LowState, until it has gone.
 ///
-/// A thread of the link looks for other writers every 50 ms. They are a conflict, see
+/// A thread of the link looks for other writers every 10 ms. They are a conflict, see
 /// LinkStatus::conflict:
 ///
 /// - Another writer of rt/lowcmd: the link sends damping 10 times, and then nothing until that

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A libddsc without a network and without allocations: each reader of rt/lowstate gets one LowState
 // per take() that follows fake_arrival(), and write() returns what fake_write_result() has set.
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 
@@ -18,6 +19,7 @@ unitree_go_msg_dds__LowState_ state;
 int waiting = 0;
 Return write_result = 0;
 Entity next_entity = 1;
+std::atomic<int> reads{0};
 }  // namespace
 
 extern "C" {
@@ -26,6 +28,7 @@ void fake_arrival(const void* sample) {
   std::memcpy(&state, sample, sizeof(state));
   waiting = 1;
 }
+int fake_reads() { return reads.load(); }
 void fake_write_result(Return result) { write_result = result; }
 
 Entity dds_create_domain(std::uint32_t, const char*) { return next_entity++; }
@@ -46,7 +49,10 @@ Return dds_take(Entity, void** samples, SampleInfo* infos, std::size_t, std::uin
   infos[0].valid_data = true;
   return 1;
 }
-Return dds_read(Entity, void**, SampleInfo*, std::size_t, std::uint32_t) { return 0; }
+Return dds_read(Entity, void**, SampleInfo*, std::size_t, std::uint32_t) {
+  ++reads;
+  return 0;
+}
 Return dds_return_loan(Entity, void**, std::int32_t) { return 0; }
 Qos* dds_create_qos() { return nullptr; }
 void dds_delete_qos(Qos*) {}

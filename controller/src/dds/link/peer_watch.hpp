@@ -22,7 +22,7 @@ struct WriterRule {
   const char* remedy;
 };
 
-/// Watches the writers of some topics in a thread of its own.
+/// Watches the writers of some topics in a thread of its own, which reads them only after changes.
 class PeerWatch {
  public:
   /// Wait for peers to be discovered, and check them. Throws surefoot::Error if discovery_time is
@@ -54,7 +54,7 @@ class PeerWatch {
  private:
   void check_at_start(double discovery_time);
   void run();
-  void look();
+  bool look();
   struct Finding {
     bool crowded = false;  // too many writers of the right type
     std::string problem;   // "" if there is none

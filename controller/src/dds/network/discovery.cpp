@@ -11,10 +11,20 @@ namespace {
 // robot and ROS 2 have. Endpoints that have gone leave samples too.
 constexpr std::uint32_t kSamples = 512;
 
-DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic) {
+void set_flag(ddsc::Entity, void* flag) { static_cast<std::atomic<bool>*>(flag)->store(true); }
+
+// @param changed set to true at every change of what the reader holds; or nullptr
+DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic,
+                          std::atomic<bool>* changed = nullptr) {
   const ddsc::Functions& f = participant.functions();
-  return DdsEntity(f, f.create_reader(participant.handle(), topic, nullptr, nullptr),
-                   "DDS reader of a built-in topic");
+  ddsc::Listener* listener = nullptr;
+  if (changed != nullptr) {
+    listener = f.create_listener(changed);
+    f.lset_data_available_arg(listener, &set_flag, changed, true);
+  }
+  const ddsc::Entity created = f.create_reader(participant.handle(), topic, nullptr, listener);
+  if (listener != nullptr) f.delete_listener(listener);  // the reader has a copy
+  return DdsEntity(f, created, "DDS reader of a built-in topic");
 }
 
 // Call use(sample, handle) for every participant or endpoint that is alive. Throws surefoot::Error
@@ -52,8 +62,9 @@ std::string hex(const ddsc::Guid& guid) {
 
 DdsDiscovery::DdsDiscovery(const DdsParticipant& participant)
     : functions_(participant.functions()),
+      writers_changed_(std::make_unique<std::atomic<bool>>(true)),
       participants_(built_in_reader(participant, ddsc::kTopicOfParticipants)),
-      writers_(built_in_reader(participant, ddsc::kTopicOfWriters)),
+      writers_(built_in_reader(participant, ddsc::kTopicOfWriters, writers_changed_.get())),
       readers_(built_in_reader(participant, ddsc::kTopicOfReaders)) {}
 
 std::vector<DiscoveredEndpoint> DdsDiscovery::writers(const std::string& topic) const {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,9 @@ class DdsDiscovery {
   // Both throw surefoot::Error if libddsc cannot read them.
   std::vector<DiscoveredEndpoint> writers(const std::string& topic) const;  ///< writers of a topic
   std::vector<DiscoveredEndpoint> readers(const std::string& topic) const;  ///< readers of a topic
+  /// Return whether a writer of any topic has come or gone since the last call; true at first.
+  /// Real-time: yes.
+  bool take_writer_changes() noexcept { return writers_changed_->exchange(false); }
 
  private:
   std::vector<DiscoveredEndpoint> endpoints(const DdsEntity& reader,
@@ -36,6 +41,8 @@ class DdsDiscovery {
   bool is_reliable(const ddsc::EndpointSample& endpoint) const;
 
   const ddsc::Functions& functions_;
+  // On the heap: threads of libddsc write it. Declared before the reader, so deleted after it.
+  std::unique_ptr<std::atomic<bool>> writers_changed_;
   DdsEntity participants_, writers_, readers_;
 };
 
