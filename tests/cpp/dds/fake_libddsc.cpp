@@ -17,6 +17,7 @@ const char kVersion[] =
     "11.0.1";
 unitree_go_msg_dds__LowState_ state;
 int waiting = 0;
+std::uint64_t writer = 1;
 Return write_result = 0;
 Entity next_entity = 1;
 std::atomic<int> reads{0};
@@ -29,6 +30,7 @@ void fake_arrival(const void* sample) {
   waiting = 1;
 }
 int fake_reads() { return reads.load(); }
+void fake_writer(std::uint64_t handle) { writer = handle; }
 void fake_write_result(Return result) { write_result = result; }
 
 Entity dds_create_domain(std::uint32_t, const char*) { return next_entity++; }
@@ -47,6 +49,7 @@ Return dds_take(Entity, void** samples, SampleInfo* infos, std::size_t, std::uin
   waiting = 0;
   std::memcpy(samples[0], &state, sizeof(state));
   infos[0].valid_data = true;
+  infos[0].publication_handle = writer;
   return 1;
 }
 Return dds_read(Entity, void**, SampleInfo*, std::size_t, std::uint32_t) {
