@@ -168,7 +168,7 @@ def test_second_commander_is_refused_and_does_not_disturb_the_first(domain: int)
     there.finish()
 
 
-def test_run_damps_when_the_sport_service_begins_again(domain: int) -> None:
+def test_run_damps_and_cannot_be_armed_when_the_sport_service_begins_again(domain: int) -> None:
     there = robot(domain)
     here = run(domain, "--duration", 6)
     here.wait_for("standing")
@@ -178,8 +178,11 @@ def test_run_damps_when_the_sport_service_begins_again(domain: int) -> None:
         f"MotionSwitcher(surefoot.DdsNetwork('lo', {domain})).select_mode('normal')\n"
     )
     subprocess.run([sys.executable, "-c", program], check=True, timeout=30)
+    here.wait_for("damping: conflict")
+    here._process.send_signal(signal.SIGUSR1)
     status, output = here.finish()
     assert status == 3
+    assert re.search(r"not re-armed: arming checks fail: .*\bconflict\b", output), output
     assert "damping: conflict: another program commands the robot" in output
     assert "writer of rt/lowcmd found: process python" in output
     there.kill()
