@@ -228,6 +228,12 @@ BOOST_FIXTURE_TEST_CASE(states_of_a_second_robot_are_not_used_and_are_a_conflict
   robot.send_state(3);
   BOOST_TEST(receive());
   BOOST_TEST(std::uint32_t(link.state().tick) == 3U);
+  for (std::uint32_t k = 0; k < 60; ++k) {
+    second.send_state(600 + k);
+    link.receive();
+  }
+  BOOST_TEST(wait_until([this] { return link.receive() || link.dds_counts().second_robot > 50; }));
+  BOOST_TEST(contains(all(link.take_news()), "LowStates of a second robot arrive"));
 }
 
 BOOST_FIXTURE_TEST_CASE(robot_whose_writer_was_replaced_has_restarted, LinkFixture) {

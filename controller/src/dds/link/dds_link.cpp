@@ -137,7 +137,7 @@ bool DdsLink::Impl::is_from_robot(std::uint64_t source, double time) noexcept {
   ++counts.second_robot;
   second_robot_time = time;
   intake.status.conflict = true;
-  news.on_second_robot();
+  news.on_second_robot(counts.second_robot);
   return false;
 }
 

@@ -9,6 +9,9 @@ namespace {
 
 // Number of LowStates with tick 0 that show that the tick stands still. Chosen: 0.1 s at 500 Hz.
 constexpr std::uint64_t kStandingTicks = 50;
+// Number of LowStates of a second robot that are reported. Chosen: 0.1 s at 500 Hz. A restarted
+// robot sends some before its new writer is discovered.
+constexpr std::uint64_t kSecondRobotStates = 50;
 // [s] Silence that is reported. Equal to kRobotWatchdogTime. DDS itself notices a process that has
 // crashed only after 10 s.
 constexpr double kReportedSilence = 0.1;
@@ -27,6 +30,10 @@ void StateNews::on_valid(const DdsCounts& counts, double arrival) noexcept {
   crc_missing_.store(counts.without_crc > 0);
   head_missing_.store(counts.without_head > 0);
   tick_stands_.store(counts.without_tick >= kStandingTicks);
+}
+
+void StateNews::on_second_robot(std::uint64_t count) noexcept {
+  second_robot_.store(count >= kSecondRobotStates);
 }
 
 void StateNews::add_to(std::vector<std::string>& news, const std::string& robot) {

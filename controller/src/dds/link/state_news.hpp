@@ -17,8 +17,8 @@ class StateNews {
   // For the thread of DdsLink::receive(). Real-time: yes.
   /// Note a valid LowState. @param arrival [s], on monotonic_time()
   void on_valid(const DdsCounts& counts, double arrival) noexcept;
-  /// Note that a LowState of a second robot was not used.
-  void on_second_robot() noexcept { second_robot_.store(true); }
+  /// Note that a LowState of a second robot was not used. @param count number of them so far
+  void on_second_robot(std::uint64_t count) noexcept;
   /// Note the end of a receive() that began at a time [s].
   void on_receive(double time) noexcept { last_receive_.store(time); }
 
