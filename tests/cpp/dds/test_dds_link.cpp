@@ -1,57 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <thread>
 
 #include "dds/link/blocked_writes.hpp"
 #include "dds/link/topics.hpp"
-#include "dds/network/endpoints.hpp"
-#include "dds/wire/low_cmd_conversion.hpp"
-#include "dds/wire/low_state_conversion.hpp"
-#include "dds/wire/wire_crc.hpp"
-#include "dds_environment.hpp"
-#include "robot_end.hpp"
-#include "surefoot/dds_link.hpp"
+#include "dds/wire/wire_types.hpp"
+#include "link_fixture.hpp"
 #include "surefoot/error.hpp"
 
 using namespace surefoot;
-
-namespace {
-
-struct LinkFixture {
-  std::shared_ptr<DdsNetwork> network = test_network();
-  RobotEnd robot{network->participant()};
-  DdsLink link{network, options()};
-  LowCmd torque_command = init_low_cmd();
-  LinkFixture() { torque_command.motorCmd[0].tau = 1.0F; }
-  static DdsLinkOptions options() {
-    DdsLinkOptions o;
-    o.discovery_time = 0.2;
-    return o;
-  }
-  bool receive() {
-    return wait_until([this] { return link.receive(); });
-  }
-  double sent_tau() {
-    link.send(torque_command);
-    pause(5);
-    return robot.tau();
-  }
-};
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::string all(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(dds_link, *boost::unit_test::precondition(has_libddsc))
 
@@ -167,108 +125,6 @@ BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {
   const double elapsed = link.state().tick - first;
   BOOST_TEST(elapsed >= 50.0);
   BOOST_TEST(elapsed < 150.0);
-}
-
-BOOST_FIXTURE_TEST_CASE(other_writer_of_commands_is_named_and_commands_alone_after_10_dampings,
-                        LinkFixture) {
-  robot.send_state(1);
-  BOOST_TEST(receive());
-  BOOST_TEST(sent_tau() == 1.0);
-  {
-    DdsWriter other(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic);
-    BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
-    for (int k = 0; k < 10; ++k) BOOST_TEST(std::isnan(sent_tau()));
-    for (int k = 0; k < 5; ++k) BOOST_TEST(std::isinf(sent_tau()));  // nothing arrives
-    BOOST_TEST(link.dds_counts().conflicts == 15U);
-    BOOST_TEST(link.dds_counts().withheld == 5U);
-    BOOST_TEST(link.counts().sent == 11U);
-    BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd found: process "));
-    DdsLinkOptions options = LinkFixture::options();
-    BOOST_CHECK_EXCEPTION(DdsLink(network, options), Error, [](const Error& error) {
-      return contains(error.what(), "rt/lowcmd: got 2 other writer(s) (process ") &&
-             contains(error.what(), "listed for up to 10 s: wait, then try again");
-    });
-  }
-  BOOST_TEST(wait_until([this] { return !link.receive() && !link.status().conflict; }));
-  BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd has gone"));
-  BOOST_TEST(sent_tau() == 1.0);
-}
-
-BOOST_FIXTURE_TEST_CASE(link_that_has_sent_no_command_is_silent_beside_another_commander,
-                        LinkFixture) {
-  BOOST_TEST(std::isnan(sent_tau()));
-  const DdsWriter other(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic);
-  BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
-  robot.send_state(1);
-  BOOST_TEST(receive());
-  BOOST_TEST(std::isinf(sent_tau()));
-  BOOST_TEST(link.dds_counts().withheld == 1U);
-}
-
-BOOST_FIXTURE_TEST_CASE(second_robot_makes_the_link_damp, LinkFixture) {
-  robot.send_state(1);
-  BOOST_TEST(receive());
-  const RobotEnd second(network->participant());
-  BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
-  for (int k = 0; k < 12; ++k) BOOST_TEST(std::isnan(sent_tau()));
-  BOOST_TEST(link.dds_counts().withheld == 0U);
-}
-
-BOOST_FIXTURE_TEST_CASE(states_of_a_second_robot_are_not_used_and_are_a_conflict_at_once,
-                        LinkFixture) {
-  robot.send_state(1);
-  BOOST_TEST(receive());
-  RobotEnd second(network->participant());
-  second.send_state(500);
-  BOOST_TEST(wait_until([this] { return link.receive() || link.dds_counts().second_robot > 0; }));
-  BOOST_TEST(std::uint32_t(link.state().tick) == 1U);
-  BOOST_TEST(link.status().conflict);
-  BOOST_TEST(link.dds_counts().second_robot == 1U);
-  BOOST_TEST(std::isnan(sent_tau()));
-  robot.send_state(3);
-  BOOST_TEST(receive());
-  BOOST_TEST(std::uint32_t(link.state().tick) == 3U);
-  for (std::uint32_t k = 0; k < 60; ++k) {
-    second.send_state(600 + k);
-    link.receive();
-  }
-  BOOST_TEST(wait_until([this] { return link.receive() || link.dds_counts().second_robot > 50; }));
-  BOOST_TEST(contains(all(link.take_news()), "LowStates of a second robot arrive"));
-}
-
-BOOST_FIXTURE_TEST_CASE(robot_whose_writer_was_replaced_has_restarted, LinkFixture) {
-  robot.send_state(1000);
-  BOOST_TEST(receive());
-  robot.writer = DdsWriter(network->participant(), unitree_go_msg_dds__LowState__desc, kStateTopic);
-  std::uint32_t tick = 1;
-  BOOST_TEST(wait_until([&] {
-    robot.send_state(tick += 2);
-    return link.receive();
-  }));
-  BOOST_TEST(std::uint32_t(link.state().tick) < 1000U);
-  BOOST_TEST(link.counts().restarts == 1U);
-  BOOST_TEST(wait_until([this] { return !link.receive() && !link.status().conflict; }));
-}
-
-BOOST_AUTO_TEST_CASE(writer_of_another_type_is_refused_by_name) {
-  const auto network = test_network();
-  // A type of another name. The layout does not matter, because nothing is written.
-  const dds_topic_descriptor_t humanoid{sizeof(DdsLowState),
-                                        alignof(DdsLowState),
-                                        DDS_TOPIC_FIXED_SIZE,
-                                        0,
-                                        "unitree_hg::msg::dds_::LowState_",
-                                        nullptr,
-                                        unitree_go_msg_dds__LowState__desc.m_nops,
-                                        unitree_go_msg_dds__LowState__desc.m_ops,
-                                        "",
-                                        {nullptr, 0},
-                                        {nullptr, 0},
-                                        0};
-  const DdsWriter writer(network->participant(), humanoid, kStateTopic);
-  BOOST_CHECK_EXCEPTION(DdsLink(network, LinkFixture::options()), Error, [](const Error& error) {
-    return contains(error.what(), "got a writer of type unitree_hg::msg::dds_::LowState_");
-  });
 }
 
 BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
