@@ -24,12 +24,17 @@ void bind_counts(nb::module_& m) {
       .def_ro("timeouts", &DdsCounts::timeouts,
               "Commands that a slow reliable reader blocked for 1 ms.")
       .def_ro("conflicts", &DdsCounts::conflicts,
-              "Commands replaced by damping because of RobotLink.conflict.")
+              "Commands that were not sent because of RobotLink.conflict; damping was sent, or\n"
+              "nothing.")
+      .def_ro("withheld", &DdsCounts::withheld, "Those of conflicts for which nothing was sent.")
       .def_ro("without_crc", &DdsCounts::without_crc,
               "Valid LowStates whose crc was 0, so no CRC was checked.")
       .def_ro("without_head", &DdsCounts::without_head,
               "Valid LowStates without a head, whose motors are taken for being in servo\n"
               "mode.")
+      .def_ro("second_robot", &DdsCounts::second_robot,
+              "LowStates of another writer than that of the first valid LowState; they are not\n"
+              "used.")
       .def_ro("without_tick", &DdsCounts::without_tick, "Valid LowStates whose tick was 0.");
 }
 
@@ -41,10 +46,14 @@ void bind_dds_link(nb::module_& m) {
       m, "DdsLink",
       "Link to a Go2 or B2 over DDS: writes rt/lowcmd, reads rt/lowstate.\n\n"
       "Until a valid LowState has arrived, only damping is sent, whatever command is\n"
-      "given. All 20 motors are always in servo mode, and every command has a CRC. While\n"
-      "another writer of rt/lowcmd or a second writer of rt/lowstate exists, the link\n"
-      "sends only damping, see conflict. A thread of the link looks for such writers\n"
-      "every 50 ms. Not thread-safe, except for take_news(). For a real robot use Runner.")
+      "given. All 20 motors are always in servo mode, and every command has a CRC. Not\n"
+      "thread-safe, except for take_news(). For a real robot use Runner.\n\n"
+      "A thread of the link looks for other writers every 10 ms. They are a conflict.\n"
+      "Beside another writer of rt/lowcmd the link sends damping 10 times, and then nothing\n"
+      "until that writer has gone, because the commands of two programs in turn are not\n"
+      "safe. If no command of the caller has been sent yet, the link sends nothing at once.\n"
+      "With a second writer of rt/lowstate it sends only damping. Only LowStates of one\n"
+      "writer are used: that of the first valid LowState, until it has gone.")
       .def(
           "__init__",
           [](DdsLink* self, std::shared_ptr<DdsNetwork> network, const std::string& robot,
@@ -76,5 +85,7 @@ void bind_dds_link(nb::module_& m) {
           "Counts since the link was opened, a copy.")
       .def("take_news", &DdsLink::take_news,
            "Return what has changed since the last call, as sentences: peers that came or\n"
-           "vanished, missing CRCs, a tick that stands still. From any thread, one at a time.");
+           "vanished, 0.1 s without a valid LowState, missing CRCs, a tick that stands still,\n"
+           "commands that timed out and the readers that can block them. From any thread, one\n"
+           "at a time.");
 }

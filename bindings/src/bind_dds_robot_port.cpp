@@ -49,9 +49,9 @@ void bind_dds_robot_port(nb::module_& m) {
           nb::call_guard<nb::gil_scoped_release>(),
           "Open the port; takes discovery_time [s], 0 .. 60.\n\n"
           "Raises:\n"
-          "    Error: The robot is neither 'go2' nor 'b2', another writer of rt/lowstate\n"
-          "        exists, or a writer of rt/lowcmd of another type. The message names its\n"
-          "        process.")
+          "    Error: The robot is neither 'go2' nor 'b2', discovery_time is out of range,\n"
+          "        another writer of rt/lowstate exists, or a writer of rt/lowcmd of another\n"
+          "        type. The message names its process.")
       .def(
           "receive",
           [](DdsRobotPort& port) {
@@ -69,5 +69,6 @@ void bind_dds_robot_port(nb::module_& m) {
           "counts", [](const DdsRobotPort& port) { return RobotPortCounts(port.counts()); },
           "Counts since the port was opened, a copy.")
       .def("take_news", &DdsRobotPort::take_news,
-           "Return sentences about writers that came or vanished since the last call.");
+           "Return sentences about writers that came or vanished since the last call, and about\n"
+           "LowStates that a slow reader blocked.");
 }

@@ -84,7 +84,7 @@ void bind_robot_link(nb::module_& m) {
           "conflict", [](const RobotLink& link) { return link.status().conflict; },
           "True while another program commands the robot, or a second robot sends\n"
           "LowStates.\n\n"
-          "The link then sends only damping. Only a DDS link detects this.");
+          "The link then sends damping or nothing, see DdsLink. Only a DDS link detects this.");
 }
 
 void bind_udp_link(nb::module_& m) {

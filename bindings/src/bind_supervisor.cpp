@@ -223,7 +223,9 @@ void bind_arming(nb::module_& m) {
           "- foot_force: the sum of footForceEst is the weight; applies only to a standing\n"
           "  robot with footForceEst\n"
           "- program: the torques that hold the robot during a rise are below their limits\n"
-          "- fault: no active fault keeps the robot down")
+          "- fault: no active fault keeps the robot down\n"
+          "- conflict: no other program commands the robot, and no second robot sends\n"
+          "  LowStates; only over DDS")
       .def(
           "failures",
           [](const ArmingReport& report, const Robot& robot) {
@@ -341,8 +343,8 @@ void bind_supervisor_class(nb::module_& m) {
       "damp act at once, in any phase of the gait.\n\n"
       "Torques fade between modes within 0.25 s; damping after a stop or a fault starts\n"
       "at once. fault_table() lists the faults and the reactions to them.\n\n"
-      "Threads: update(), update_without_state(), report_link_lost(), count_samples(),\n"
-      "set_gains(), set_body_reference(), set_velocity(), gait, controller,\n"
+      "Threads: update(), update_without_state(), report_link_lost(), report_conflict(),\n"
+      "count_samples(), set_gains(), set_body_reference(), set_velocity(), gait, controller,\n"
       "command_is_fresh and measured_power belong to one thread. All other functions may be called "
       "from any\n"
       "thread. No function takes a lock.")
@@ -386,6 +388,12 @@ void bind_supervisor_class(nb::module_& m) {
            "Report that no LowState arrived for too long, or that the robot restarted.\n\n"
            "If the robot is armed, damping is latched with the fault LINK. Pending requests\n"
            "are dropped. Real-time: yes.")
+      .def("report_conflict", &Supervisor::report_conflict, "present"_a,
+           "Report whether another program commands the robot, or a second robot sends\n"
+           "LowStates, see RobotLink.conflict.\n\n"
+           "While this is so, the arming check \"conflict\" fails. From the next update() on,\n"
+           "arming and rising are refused, and a standing robot is not taken over. To damp a\n"
+           "robot that is armed, call report_link_lost(), as Runner does. Real-time: yes.")
       .def("count_samples", &Supervisor::count_samples, "received"_a, "missing"_a,
            "Report how many LowStates the link received and missed since the last call.\n\n"
            "The arming check \"link\" uses these counts. They replace the counts of\n"

@@ -142,7 +142,7 @@ def test_run_damps_20_ms_after_the_last_state_and_names_the_robot(domain: int) -
     found = re.search(r"damping: stale: no LowState for (\d+) ms", output)
     assert found is not None, output
     assert 20 <= int(found[1]) <= 40
-    assert "no LowState for 0.1 s from process python" in output
+    assert "no valid LowState for 0.1 s from process python" in output
     there.finish()
 
 
@@ -168,7 +168,7 @@ def test_second_commander_is_refused_and_does_not_disturb_the_first(domain: int)
     there.finish()
 
 
-def test_run_damps_when_the_sport_service_begins_again(domain: int) -> None:
+def test_run_damps_and_cannot_be_armed_when_the_sport_service_begins_again(domain: int) -> None:
     there = robot(domain)
     here = run(domain, "--duration", 6)
     here.wait_for("standing")
@@ -178,8 +178,11 @@ def test_run_damps_when_the_sport_service_begins_again(domain: int) -> None:
         f"MotionSwitcher(surefoot.DdsNetwork('lo', {domain})).select_mode('normal')\n"
     )
     subprocess.run([sys.executable, "-c", program], check=True, timeout=30)
+    here.wait_for("damping: conflict")
+    here._process.send_signal(signal.SIGUSR1)
     status, output = here.finish()
     assert status == 3
+    assert re.search(r"not re-armed: arming checks fail: .*\bconflict\b", output), output
     assert "damping: conflict: another program commands the robot" in output
     assert "writer of rt/lowcmd found: process python" in output
     there.kill()

@@ -94,6 +94,33 @@ BOOST_FIXTURE_TEST_CASE(stopped_standing_robot_is_taken_over_only_after_arming, 
   BOOST_TEST(!motors_brake(last));
 }
 
+BOOST_AUTO_TEST_CASE(conflict_refuses_arming_and_rising_by_name_until_it_ends) {
+  StandingRobot lying(Start::kLying);
+  lying.supervisor.report_conflict(true);
+  lying.run(1.2);
+  BOOST_TEST((lying.supervisor.arm() == RequestStatus::kNotReady));
+  BOOST_TEST(describe_failures(lying.supervisor.arming(), lying.robot.config()) ==
+             "conflict: another program commands the robot, or a second robot sends LowStates; "
+             "end it");
+  lying.supervisor.report_conflict(false);
+  lying.run(1.2);
+  BOOST_TEST((lying.supervisor.arm() == RequestStatus::kAccepted));
+  lying.step();
+  lying.supervisor.report_conflict(true);
+  lying.step();
+  BOOST_TEST((lying.supervisor.request(Mode::kRise) == RequestStatus::kNotReady));
+}
+
+BOOST_FIXTURE_TEST_CASE(standing_robot_is_not_taken_over_in_a_conflict, StandingRobot) {
+  supervisor.report_conflict(true);
+  run(0.1);
+  BOOST_TEST((supervisor.mode() == Mode::kPassive));
+  BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
+  supervisor.report_conflict(false);
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kStand));
+}
+
 BOOST_FIXTURE_TEST_CASE(stop_cancels_a_pending_arming, StandingRobot) {
   run(0.1);
   supervisor.stop();

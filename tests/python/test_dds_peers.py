@@ -165,7 +165,8 @@ def test_peer_that_ends_is_told_by_name() -> None:
     assert "writer of rt/lowstate found: process python" in found
     peer.result()
     time.sleep(0.5)
-    assert "no LowState for 0.1 s from process python" in " ".join(link.take_news())
+    link.receive()
+    assert "no valid LowState for 0.1 s from process python" in " ".join(link.take_news())
 
 
 def test_domain_of_the_vendor_classes_in_this_process_is_refused_by_name() -> None:

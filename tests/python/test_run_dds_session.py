@@ -189,6 +189,7 @@ REAL = ("--rise", "--yes", "--real-robot")
         (("--interface", "lo"), "--interface: got no --sdk go2 or b2"),
         (("--domain", "0"), "--domain: got no --sdk go2 or b2"),
         (("--libddsc", "x.so"), "--libddsc: got no --sdk go2 or b2"),
+        (("--untested-libddsc",), "--untested-libddsc: got no --sdk go2 or b2"),
         (("--tick", "message"), "--tick: got no --sdk go2 or b2"),
         (("--give-back",), "--give-back: got no --sdk go2 or b2"),
         (("--no-motion-switcher",), "--no-motion-switcher: got no --sdk go2 or b2"),
@@ -201,6 +202,18 @@ def test_unsafe_or_unused_option_is_refused_by_its_name(
     error = capsys.readouterr().err
     assert text in error and error.count("\n") == 1
     assert FakeSwitcher.calls == ()
+
+
+@pytest.mark.parametrize("command", ["run", "robot"])
+def test_untested_libddsc_is_refused_unless_allowed(
+    command: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(dds_run, "DdsNetwork", surefoot.DdsNetwork)
+    words = [command, "--sdk", "go2", "--libddsc", "libm.so.6"]  # any other library
+    assert main(words) == ERROR
+    assert "or allow an untested version with --untested-libddsc" in capsys.readouterr().err
+    assert main([*words, "--untested-libddsc"]) == ERROR
+    assert "without dds_create_domain" in capsys.readouterr().err
 
 
 def test_other_robot_is_accepted_in_a_simulation() -> None:

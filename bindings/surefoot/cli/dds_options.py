@@ -12,7 +12,7 @@ LOOPBACK = "lo"  # interface of simulations
 def add_dds_options(
     group: argparse._ArgumentGroup, interface_help: str = f"network interface ({LOOPBACK})"
 ) -> None:
-    """Add --interface, --domain and --libddsc; each is None if not given."""
+    """Add the options of a DDS network; each is None or False if not given."""
     add = group.add_argument
     add("--interface", metavar="NAME", help=interface_help)
     add(
@@ -25,6 +25,11 @@ def add_dds_options(
         "--libddsc",
         metavar="FILE",
         help="library of Cyclone DDS (that of the package cyclonedds, else of the system)",
+    )
+    add(
+        "--untested-libddsc",
+        action="store_true",
+        help="allow a version of that library with which Surefoot was not tested",
     )
 
 

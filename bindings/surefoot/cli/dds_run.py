@@ -63,6 +63,7 @@ class DdsSession:
             domain if arguments.domain is None else arguments.domain,
             self._real,
             arguments.libddsc or "",
+            arguments.untested_libddsc,
         )
         for line in self._network.notices:
             print_line(line)

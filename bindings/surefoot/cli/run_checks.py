@@ -14,6 +14,7 @@ _DDS_OPTIONS = (
     "--interface",
     "--domain",
     "--libddsc",
+    "--untested-libddsc",
     "--tick",
     "--give-back",
     "--no-motion-switcher",

@@ -7,11 +7,12 @@ import threading
 import time
 from collections.abc import Callable
 
-from surefoot._core import Robot, Runner, RunSnapshot
+from surefoot._core import RequestStatus, Robot, Runner, RunSnapshot
 from surefoot.cli.automatic_rise import AutomaticRise
 from surefoot.cli.run_operator import ArmingMonitor, Operator
 from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
 from surefoot.reports.damping_reason import damping_reason
+from surefoot.reports.refusal_reason import refusal_reason
 
 # [s] Time between two snapshots of the loop. Chosen: shorter than the 0.05 s after which the loop
 # publishes a new snapshot (kPublishPeriod).
@@ -139,7 +140,7 @@ class _RunMonitor:
             why = (
                 f"no LowState for {1000 * snapshot.state_age:.0f} ms"
                 if silent
-                else "arming checks fail"
+                else refusal_reason(RequestStatus.NOT_READY, snapshot)
             )
             self._print_line(f"{snapshot.time:7.2f} s not re-armed: {why}")
         if snapshot.resumed_dampings > self._resumed_dampings:

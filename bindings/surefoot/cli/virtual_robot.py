@@ -55,6 +55,7 @@ def robot(arguments: argparse.Namespace) -> None:
         DEFAULT_DOMAIN if arguments.domain is None else arguments.domain,
         arguments.libddsc or "",
         None if arguments.no_motion_switcher else arguments.sport_mode,
+        arguments.untested_libddsc,
     )
     record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))
     write_json(arguments.json, record, indent=None)

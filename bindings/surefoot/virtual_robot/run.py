@@ -33,7 +33,8 @@ _UI_PERIOD = 0.02
 class RunOptions:
     """Address and duration of a run of a virtual robot.
 
-    host and port are for UDP; interface, domain, library and sport_mode are for DDS.
+    host and port are for UDP; interface, domain, library, sport_mode and untested_library are for
+    DDS.
 
     Attributes:
         host: Address of this machine at which the robot receives datagrams.
@@ -44,6 +45,7 @@ class RunOptions:
         domain: DDS domain, 0 .. 230; 1 is that of unitree_mujoco.
         library: File of libddsc; "": that of the package cyclonedds, else that of the system.
         sport_mode: Mode of the motion switcher at the start; None: there is no motion switcher.
+        untested_library: True: a version of libddsc that was not tested is allowed.
     """
 
     host: str = "127.0.0.1"
@@ -54,6 +56,7 @@ class RunOptions:
     domain: int = 1
     library: str = ""
     sport_mode: str | None = "normal"
+    untested_library: bool = False
 
     def __post_init__(self) -> None:
         check_number("duration", self.duration, 0.001, math.inf)
@@ -106,7 +109,12 @@ def _open_port(
 ) -> tuple[UdpPort | DdsRobotLink, str]:
     """Return the open port of a robot, and its address as text."""
     if settings.uses_dds:
-        network = DdsNetwork(options.interface, options.domain, library=options.library)
+        network = DdsNetwork(
+            options.interface,
+            options.domain,
+            library=options.library,
+            untested_library=options.untested_library,
+        )
         link = DdsRobotLink(network, settings, options.sport_mode)
         return link, ", ".join(network.notices)
     port = UdpPort(options.host, options.port)

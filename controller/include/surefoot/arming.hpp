@@ -22,9 +22,10 @@ enum class ArmingCheckId : int {
   kMotorOrder,     ///< every joint angle fits the range of its own motor; else motors are swapped
   kFootForce,      ///< footForceEst adds up to the weight; only if standing and footForceEst works
   kProgram,        ///< the torques that hold the robot during a rise are below their limits
-  kFault           ///< no active fault prevents a rise
+  kFault,          ///< no active fault prevents a rise
+  kConflict        ///< no other program commands the robot, see Supervisor::report_conflict()
 };
-constexpr int kArmingChecks = 13;  ///< number of arming checks
+constexpr int kArmingChecks = 14;  ///< number of arming checks
 /// Return the name of a check, such as "motor_mode". Real-time: yes.
 const char* to_string(ArmingCheckId id) noexcept;
 

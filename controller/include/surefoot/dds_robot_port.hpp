@@ -30,8 +30,9 @@ struct RobotPortCounts {
 /// Not thread-safe.
 class DdsRobotPort {
  public:
-  /// Open the port; takes discovery_time [s], 0 .. 60. Throws surefoot::Error if another writer of
-  /// rt/lowstate exists, or a writer of rt/lowcmd of another type; the message names its process.
+  /// Open the port; takes discovery_time [s], 0 .. 60. Throws surefoot::Error if discovery_time is
+  /// out of range, if another writer of rt/lowstate exists, or a writer of rt/lowcmd of another
+  /// type; the message names its process.
   DdsRobotPort(std::shared_ptr<DdsNetwork> network, DdsRobot robot, double discovery_time = 1.0);
   ~DdsRobotPort();
   DdsRobotPort(const DdsRobotPort&) = delete;
@@ -51,7 +52,8 @@ class DdsRobotPort {
   /// writes nothing. Throws surefoot::Error if libddsc cannot create it.
   void set_sport_service(bool active);
   const RobotPortCounts& counts() const noexcept;  ///< counts since the port was opened
-  /// Return sentences about writers that came or vanished since the last call.
+  /// Return sentences about writers that came or vanished since the last call, and about LowStates
+  /// that a slow reader blocked.
   std::vector<std::string> take_news();
 
  private:

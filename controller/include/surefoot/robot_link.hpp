@@ -21,7 +21,7 @@ struct LinkCounts {
   std::uint64_t duplicate = 0;  ///< LowStates whose tick had already arrived
   std::uint64_t reordered = 0;  ///< LowStates counted as lost, then received after a newer one
   /// Restarts of the robot: five consecutive LowStates whose ticks increase but are all older than
-  /// the newest tick.
+  /// the newest tick; over DDS also a new writer of LowStates after the old one has gone.
   std::uint64_t restarts = 0;
   std::uint64_t corrupt = 0;           ///< messages with the right length but no valid LowState
   std::uint64_t wrong_generation = 0;  ///< frames of another generation; UDP only
@@ -38,7 +38,7 @@ struct LinkStatus {
   LinkCounts counts;                  ///< counts since the link was opened
   FrameReport last_reject;            ///< why the last invalid message was rejected
   /// True while another program commands the robot, or a second robot sends LowStates. The link
-  /// then sends only damping. Only a DDS link detects this.
+  /// then sends damping or nothing, see DdsLink. Only a DDS link detects this.
   bool conflict = false;
 };
 

@@ -67,11 +67,11 @@ struct SupervisorOptions {
 /// Torques fade between modes within 0.25 s; damping after a stop or a fault starts at once.
 /// fault_table() lists the faults and the reactions to them.
 ///
-/// Threads: update(), update_without_state(), report_link_lost(), count_samples(), set_gains(),
-/// set_body_reference(), set_velocity(), set_gait(), gait(), controller(), command_is_fresh() and
-/// measured_power() belong to one thread. All other functions may be called from any thread. No
-/// function takes a lock; faults() and arming() read again if the report changed while they read
-/// it.
+/// Threads: update(), update_without_state(), report_link_lost(), report_conflict(),
+/// count_samples(), set_gains(), set_body_reference(), set_velocity(), set_gait(), gait(),
+/// controller(), command_is_fresh() and measured_power() belong to one thread. All other functions
+/// may be called from any thread. No function takes a lock; faults() and arming() read again if the
+/// report changed while they read it.
 class Supervisor {
  public:
   /// Create a supervisor with RobotConfig::gains and default options. Throws surefoot::Error if the
@@ -99,6 +99,11 @@ class Supervisor {
   /// Report that no LowState arrived for too long, or that the robot restarted. If the robot is
   /// armed, damping is latched with the fault kLink. Pending requests are dropped. Real-time: yes.
   void report_link_lost() noexcept;
+  /// Report whether another program commands the robot, or a second robot sends LowStates, see
+  /// LinkStatus::conflict. While this is so, the arming check kConflict fails. From the next
+  /// update() on, arming and rising are refused, and a standing robot is not taken over. To damp a
+  /// robot that is armed, call report_link_lost(), as Runner does. Real-time: yes.
+  void report_conflict(bool present) noexcept;
   /// Report how many LowStates the link received and missed since the last call.
   ///
   /// The arming check kLink uses these counts. They replace the counts of update(), because the

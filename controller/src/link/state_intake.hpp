@@ -16,6 +16,11 @@ class StateIntake {
   /// counted as lost LowStates
   /// @return true if the LowState was stored
   bool accept(const LowState& incoming, double time, bool ticks_show_losses = true) noexcept;
+  /// Count a restart of the robot. The next valid LowState is stored, whatever its tick is.
+  void restart() noexcept {
+    ++status.counts.restarts;
+    sequence_.restart();
+  }
   /// Count and store the reason why a message was rejected.
   void reject(const FrameReport& report) noexcept;
 

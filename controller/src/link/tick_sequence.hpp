@@ -25,6 +25,9 @@ class TickSequence {
   /// @param time arrival time of the sample [s], on any steady clock
   Arrival classify(std::uint32_t tick, double time) noexcept;
 
+  /// Forget the ticks so far, because the next sample comes from a restarted robot.
+  void restart() noexcept { started_ = false; }
+
   /// Return the number of samples that have been lost since the first call of classify().
   std::uint64_t lost() const noexcept { return lost_; }
 

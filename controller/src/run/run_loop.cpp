@@ -92,6 +92,7 @@ void RunLoop::supervise(bool has_new_state, double elapsed) noexcept {
     report_link_lost(RunReason::kProcessStalled);
   }
   if (link_->counts().restarts != counted_restarts_) report_link_lost(RunReason::kRestart);
+  supervisor_.report_conflict(link_->status().conflict);
   if (link_->status().conflict && supervisor_.armed()) report_link_lost(RunReason::kConflict);
   const double age = link_->state_age();
   if (robot_silent_ && has_new_state && age < kStaleTime) resume_or_report_lost();

@@ -44,6 +44,7 @@ const LowCmd& Supervisor::update_without_state(double age) noexcept {
   return impl_->update_without_state(age);
 }
 void Supervisor::report_link_lost() noexcept { impl_->report_link_lost(); }
+void Supervisor::report_conflict(bool present) noexcept { impl_->arming.set_conflict(present); }
 void Supervisor::count_samples(double received, double missing) noexcept {
   impl_->arming.add_link_counts(received, missing);
 }

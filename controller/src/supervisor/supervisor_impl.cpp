@@ -76,7 +76,8 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   react();
   if (good) {
     handle_request(requests.take());
-    if (context.checks_waived && context.mode == Mode::kPassive && !context.armed) take_over();
+    const bool waits = context.mode == Mode::kPassive && !context.armed;
+    if (context.checks_waived && waits && !arming.has_conflict()) take_over();
     step_motion(state, dt);
     step_walk(dt);
   }

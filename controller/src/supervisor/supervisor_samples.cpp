@@ -48,7 +48,7 @@ bool Supervisor::Impl::read_sample(const LowState& state, double step, double dt
   }
   // A robot that sits down on three legs must be armed again before it can rise.
   const bool without_leg = active() && controller.lost_leg() >= 0;
-  context.must_sit = blocking_fault != FaultId::kNone || without_leg;
+  context.must_sit = blocking_fault != FaultId::kNone || without_leg || arming.has_conflict();
   context.must_stand = without_leg || log.report().stops_walking() != FaultId::kNone;
   context.ready = arming.report().ready && !context.must_sit;
   return sample_fault == FaultId::kNone;

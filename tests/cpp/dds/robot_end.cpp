@@ -41,4 +41,16 @@ double RobotEnd::tau() {
   return tau;
 }
 
+ReliableReader::ReliableReader(const DdsParticipant& participant,
+                               const dds_topic_descriptor_t& type, const char* topic) {
+  const ddsc::Functions& f = participant.functions();
+  topic_ =
+      DdsEntity(f, f.create_topic(participant.handle(), &type, topic, nullptr, nullptr), topic);
+  ddsc::Qos* const qos = f.create_qos();
+  f.qset_reliability(qos, ddsc::Reliability::kReliable, 0);
+  reader_ = DdsEntity(f, f.create_reader(participant.handle(), topic_.handle(), qos, nullptr),
+                      "reliable reader");
+  f.delete_qos(qos);
+}
+
 }  // namespace surefoot

@@ -35,4 +35,14 @@ struct RobotEnd {
   DdsReader reader;
 };
 
+/// A reader that can block writers of its topic, as a subscriber of ROS 2 with default settings.
+class ReliableReader {
+ public:
+  ReliableReader(const DdsParticipant& participant, const dds_topic_descriptor_t& type,
+                 const char* topic);
+
+ private:
+  DdsEntity topic_, reader_;
+};
+
 }  // namespace surefoot

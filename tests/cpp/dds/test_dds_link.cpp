@@ -1,56 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <thread>
 
+#include "dds/link/blocked_writes.hpp"
 #include "dds/link/topics.hpp"
-#include "dds/network/endpoints.hpp"
-#include "dds/wire/low_cmd_conversion.hpp"
-#include "dds/wire/low_state_conversion.hpp"
-#include "dds/wire/wire_crc.hpp"
-#include "dds_environment.hpp"
-#include "robot_end.hpp"
-#include "surefoot/dds_link.hpp"
+#include "dds/wire/wire_types.hpp"
+#include "link_fixture.hpp"
 #include "surefoot/error.hpp"
 
 using namespace surefoot;
-
-namespace {
-
-struct LinkFixture {
-  std::shared_ptr<DdsNetwork> network = test_network();
-  RobotEnd robot{network->participant()};
-  DdsLink link{network, options()};
-  LowCmd torque_command = init_low_cmd();
-  LinkFixture() { torque_command.motorCmd[0].tau = 1.0F; }
-  static DdsLinkOptions options() {
-    DdsLinkOptions o;
-    o.discovery_time = 0.2;
-    return o;
-  }
-  bool receive() {
-    return wait_until([this] { return link.receive(); });
-  }
-  double sent_tau() {
-    link.send(torque_command);
-    pause(5);
-    return robot.tau();
-  }
-};
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::string all(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(dds_link, *boost::unit_test::precondition(has_libddsc))
 
@@ -111,6 +70,46 @@ BOOST_FIXTURE_TEST_CASE(tick_that_stands_at_0_is_said_with_the_remedy, LinkFixtu
   BOOST_TEST(contains(all(link.take_news()), "--tick arrival"));
 }
 
+BOOST_FIXTURE_TEST_CASE(robot_that_sends_only_invalid_states_is_reported_as_silent, LinkFixture) {
+  robot.send_state(1);
+  BOOST_TEST(receive());
+  link.take_news();
+  DdsLowState blank;
+  std::memset(&blank, 0, sizeof(blank));
+  for (int k = 0; k < 12; ++k) {
+    robot.writer.write(&blank);
+    pause(10);
+    link.receive();
+  }
+  BOOST_TEST(contains(all(link.take_news()), "no valid LowState for 0.1 s from process "));
+  robot.send_state(3);
+  BOOST_TEST(receive());
+  BOOST_TEST(contains(all(link.take_news()), "LowStates are back from process "));
+}
+
+BOOST_FIXTURE_TEST_CASE(commands_that_timed_out_are_reported_with_the_reliable_readers,
+                        LinkFixture) {
+  const DdsParticipant& participant = network->participant();
+  const auto reported = [&] {
+    BlockedWrites blocked(participant, kCommandTopic);
+    std::vector<std::string> news;
+    blocked.on_write(0);
+    blocked.add_to(news);
+    BOOST_TEST(news.empty());
+    blocked.on_write(ddsc::kTimeout);
+    blocked.add_to(news);
+    blocked.on_write(ddsc::kTimeout);
+    blocked.add_to(news);  // too early for another sentence
+    BOOST_TEST(news.size() == 1U);
+    return all(news);
+  };
+  // The reader of the fixture is best effort, so it cannot block a writer.
+  BOOST_TEST(contains(reported(), "rt/lowcmd: 1 message(s) timed out after 1 ms"));
+  BOOST_TEST(contains(reported(), "reliable readers: none at present"));
+  const ReliableReader reader(participant, unitree_go_msg_dds__LowCmd__desc, kCommandTopic);
+  BOOST_TEST(contains(reported(), "reliable readers: process "));
+}
+
 BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {
   const auto network = test_network();
   RobotEnd robot(network->participant());
@@ -126,55 +125,6 @@ BOOST_AUTO_TEST_CASE(tick_is_made_from_arrival_on_request) {
   const double elapsed = link.state().tick - first;
   BOOST_TEST(elapsed >= 50.0);
   BOOST_TEST(elapsed < 150.0);
-}
-
-BOOST_FIXTURE_TEST_CASE(other_writer_of_commands_makes_the_link_damp_and_is_named, LinkFixture) {
-  robot.send_state(1);
-  BOOST_TEST(receive());
-  BOOST_TEST(sent_tau() == 1.0);
-  {
-    DdsWriter other(network->participant(), unitree_go_msg_dds__LowCmd__desc, kCommandTopic);
-    BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
-    BOOST_TEST(std::isnan(sent_tau()));
-    BOOST_TEST(link.dds_counts().conflicts == 1U);
-    BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd found: process "));
-    DdsLinkOptions options = LinkFixture::options();
-    BOOST_CHECK_EXCEPTION(DdsLink(network, options), Error, [](const Error& error) {
-      return contains(error.what(), "rt/lowcmd: got 2 other writer(s) (process ");
-    });
-  }
-  BOOST_TEST(wait_until([this] { return !link.receive() && !link.status().conflict; }));
-  BOOST_TEST(contains(all(link.take_news()), "writer of rt/lowcmd has gone"));
-  BOOST_TEST(sent_tau() == 1.0);
-}
-
-BOOST_FIXTURE_TEST_CASE(second_robot_makes_the_link_damp, LinkFixture) {
-  robot.send_state(1);
-  BOOST_TEST(receive());
-  const RobotEnd second(network->participant());
-  BOOST_TEST(wait_until([this] { return link.receive() || link.status().conflict; }));
-  BOOST_TEST(std::isnan(sent_tau()));
-}
-
-BOOST_AUTO_TEST_CASE(writer_of_another_type_is_refused_by_name) {
-  const auto network = test_network();
-  // A type of another name. The layout does not matter, because nothing is written.
-  const dds_topic_descriptor_t humanoid{sizeof(DdsLowState),
-                                        alignof(DdsLowState),
-                                        DDS_TOPIC_FIXED_SIZE,
-                                        0,
-                                        "unitree_hg::msg::dds_::LowState_",
-                                        nullptr,
-                                        unitree_go_msg_dds__LowState__desc.m_nops,
-                                        unitree_go_msg_dds__LowState__desc.m_ops,
-                                        "",
-                                        {nullptr, 0},
-                                        {nullptr, 0},
-                                        0};
-  const DdsWriter writer(network->participant(), humanoid, kStateTopic);
-  BOOST_CHECK_EXCEPTION(DdsLink(network, LinkFixture::options()), Error, [](const Error& error) {
-    return contains(error.what(), "got a writer of type unitree_hg::msg::dds_::LowState_");
-  });
 }
 
 BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {

@@ -65,6 +65,17 @@ BOOST_FIXTURE_TEST_CASE(second_robot_is_refused_by_name, PortFixture) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(discovery_time_out_of_range_is_refused_by_name) {
+  const auto network = test_network();
+  for (const double time : {-0.1, 60.1, std::numeric_limits<double>::quiet_NaN()}) {
+    BOOST_CHECK_EXCEPTION(
+        DdsRobotPort(network, DdsRobot::kGo2, time), Error, [](const Error& error) {
+          return std::string(error.what()).find("discovery_time: got ") == 0 &&
+                 std::string(error.what()).find(", expected 0 .. 60 [s]") != std::string::npos;
+        });
+  }
+}
+
 BOOST_AUTO_TEST_CASE(sport_service_is_a_second_commander_until_it_ends) {
   const auto network = test_network();
   DdsRobotPort port(network, DdsRobot::kGo2, 0.1);

@@ -70,6 +70,7 @@ struct Functions {
   void (*delete_qos)(Qos*);
   void (*qset_reliability)(Qos*, Reliability, std::int64_t max_blocking_time);
   void (*qset_history)(Qos*, History, std::int32_t depth);
+  bool (*qget_reliability)(const Qos*, Reliability*, std::int64_t* max_blocking_time);
   bool (*qget_prop)(const Qos*, const char* name, char** value);
   Listener* (*create_listener)(void* argument);
   void (*delete_listener)(Listener*);

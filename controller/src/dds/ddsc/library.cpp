@@ -91,6 +91,7 @@ ddsc::Functions find_functions(void* handle, const std::string& path) {
   find("dds_delete_qos", f.delete_qos);
   find("dds_qset_reliability", f.qset_reliability);
   find("dds_qset_history", f.qset_history);
+  find("dds_qget_reliability", f.qget_reliability);
   find("dds_qget_prop", f.qget_prop);
   find("dds_create_listener", f.create_listener);
   find("dds_delete_listener", f.delete_listener);
@@ -112,7 +113,7 @@ DdsLibrary load_dds_library(const std::string& path, bool allow_untested) {
   if (!allow_untested && !is_tested_library_version(library.version)) {
     throw Error("libddsc: got version " + library.version + " (" + library.path +
                 "), expected a tested one, " + tested_library_versions() + "; " + kRemedy +
-                ", or allow an untested version");
+                ", or allow an untested version with --untested-libddsc (untested_library)");
   }
   library.functions = find_functions(handle, library.path);
   return library;

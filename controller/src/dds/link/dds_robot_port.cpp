@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "dds/link/blocked_writes.hpp"
 #include "dds/link/peer_watch.hpp"
 #include "dds/link/topics.hpp"
 #include "dds/network/endpoints.hpp"
@@ -38,7 +39,8 @@ struct DdsRobotPort::Impl {
         network(std::move(n)),
         reader(participant_of(network), unitree_go_msg_dds__LowCmd__desc, kCommandTopic),
         peers(network->participant(), robot_rules(), discovery_time),
-        writer(network->participant(), unitree_go_msg_dds__LowState__desc, kStateTopic) {
+        writer(network->participant(), unitree_go_msg_dds__LowState__desc, kStateTopic),
+        blocked(network->participant(), kStateTopic) {
     peers.start(writer.guid());
     std::memset(&command, 0, sizeof(command));
     std::memset(&last_command, 0, sizeof(last_command));
@@ -50,6 +52,7 @@ struct DdsRobotPort::Impl {
   DdsReader reader;
   PeerWatch peers;
   DdsWriter writer;
+  BlockedWrites blocked;
   std::optional<DdsWriter> sport_service;
   DdsLowCmd command, last_command;
   DdsLowState state;
@@ -90,8 +93,12 @@ bool DdsRobotPort::Impl::read_command(LowCmd& out) noexcept {
 
 bool DdsRobotPort::send(const LowState& state) noexcept {
   Impl& s = *impl_;
-  const bool was_sent =
-      is_usable(to_dds(state, s.robot, s.state).status) && s.writer.write(&s.state) == 0;
+  bool was_sent = false;
+  if (is_usable(to_dds(state, s.robot, s.state).status)) {
+    const ddsc::Return result = s.writer.write(&s.state);
+    s.blocked.on_write(result);
+    was_sent = result == 0;
+  }
   ++(was_sent ? s.counts.sent : s.counts.unsent);
   return was_sent;
 }
@@ -107,6 +114,10 @@ void DdsRobotPort::set_sport_service(bool active) {
 }
 
 const RobotPortCounts& DdsRobotPort::counts() const noexcept { return impl_->counts; }
-std::vector<std::string> DdsRobotPort::take_news() { return impl_->peers.take_news(); }
+std::vector<std::string> DdsRobotPort::take_news() {
+  std::vector<std::string> news = impl_->peers.take_news();
+  impl_->blocked.add_to(news);
+  return news;
+}
 
 }  // namespace surefoot

@@ -4,22 +4,35 @@
 #include <chrono>
 #include <utility>
 
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
 
 namespace {
 
-// Period of the thread. Chosen: a second commander is noticed before a robot has fallen far. If
+// Period of the thread. Chosen: a second commander is noticed after a few of its commands. If
 // shorter: the thread takes more time from the control loop.
-constexpr auto kPeriod = std::chrono::milliseconds(50);
-constexpr std::size_t kMaxNews = 64;  // chosen; bounds the memory if nobody takes them
+constexpr auto kPeriod = std::chrono::milliseconds(10);
+// Number of periods after which the writers are read even without a change. Chosen: 5 s; only for a
+// change that libddsc did not report.
+constexpr int kMaxQuietPeriods = 500;
+// Remedy for the writer of a killed process, which stays listed until its lease of 10 s ends. The
+// check does not wait for that, because each refusal of a running program would take 10 s then.
+constexpr const char* kLeaseRemedy =
+    "; the writer of a process that was killed is still listed for up to 10 s: wait, then try "
+    "again";
+constexpr double kMaxDiscoveryTime = 60.0;  // [s] chosen
+constexpr std::size_t kMaxNews = 64;        // chosen; bounds the memory if nobody takes them
 
 }  // namespace
 
 PeerWatch::PeerWatch(const DdsParticipant& participant, std::vector<WriterRule> rules,
                      double discovery_time)
-    : discovery_(participant), rules_(std::move(rules)), known_(rules_.size()) {
+    : discovery_(participant),
+      rules_(std::move(rules)),
+      only_writer_(rules_.size()),
+      known_(rules_.size()) {
   check_at_start(discovery_time);
 }
 
@@ -40,56 +53,82 @@ PeerWatch::~PeerWatch() {
 // Wait for the whole time even if no rule is broken: more peers may be discovered. Other writers
 // may still be leaving, so only those that exist at the end count.
 void PeerWatch::check_at_start(double discovery_time) {
+  if (!(discovery_time >= 0.0 && discovery_time <= kMaxDiscoveryTime)) {
+    throw Error("discovery_time: got " + to_text(discovery_time) + ", expected 0 .. " +
+                to_text(kMaxDiscoveryTime) + " [s]");
+  }
   std::this_thread::sleep_for(std::chrono::duration<double>(discovery_time));
   for (std::size_t k = 0; k < rules_.size(); ++k) {
-    const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-    const std::string problem = problem_of(rules_[k], writers);
+    const std::string problem = look_at(k).problem;
     if (!problem.empty()) throw Error(problem);
-    report_changes(k, writers);
   }
 }
 
 void PeerWatch::run() {
   std::unique_lock lock(mutex_);
+  int quiet_periods = kMaxQuietPeriods;
   while (!stopped_.wait_for(lock, kPeriod, [this] { return stop_; })) {
     lock.unlock();
-    look();
+    const bool changed = discovery_.take_writer_changes();
+    if (changed || ++quiet_periods >= kMaxQuietPeriods) {
+      quiet_periods = look() ? 0 : kMaxQuietPeriods;
+    }
     lock.lock();
   }
 }
 
-// Peers that cannot be read count as a conflict: they are unknown.
-void PeerWatch::look() {
+// Judge all rules; return false if the writers cannot be read. That counts as a conflict, because
+// the writers are unknown.
+bool PeerWatch::look() {
   bool conflict = false;
+  unsigned crowded = 0;
   try {
     for (std::size_t k = 0; k < rules_.size(); ++k) {
-      const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[k].topic);
-      conflict = !problem_of(rules_[k], writers).empty() || conflict;
-      report_changes(k, writers);
+      const Finding finding = look_at(k);
+      conflict = !finding.problem.empty() || conflict;
+      crowded |= (finding.crowded ? 1U : 0U) << k;
     }
   } catch (const Error&) {
-    conflict = true;
+    conflict_.store(true);
+    return false;
   }
+  crowded_.store(crowded);
   conflict_.store(conflict);
+  return true;
 }
 
-// Return what is wrong with the writers of a topic; "" if nothing is.
-std::string PeerWatch::problem_of(const WriterRule& rule,
-                                  const std::vector<DiscoveredEndpoint>& writers) {
+// Read the writers of the topic of a rule, note them, and return what is wrong with them.
+PeerWatch::Finding PeerWatch::look_at(std::size_t rule) {
+  const std::vector<DiscoveredEndpoint> writers = discovery_.writers(rules_[rule].topic);
+  report_changes(rule, writers);
+  const bool is_only = writers.size() == 1 && writers[0].guid != own_;
+  only_writer_[rule].store(is_only ? writers[0].handle : 0);
+  return judge(rules_[rule], writers);
+}
+
+// Return what is wrong with the writers of a topic.
+PeerWatch::Finding PeerWatch::judge(const WriterRule& rule,
+                                    const std::vector<DiscoveredEndpoint>& writers) const {
+  Finding finding;
   std::size_t others = 0;
   std::string owners;
   for (const DiscoveredEndpoint& writer : writers) {
     if (writer.guid == own_) continue;
     if (writer.type != rule.type) {
-      return std::string(rule.topic) + ": got a writer of type " + writer.type + " (" +
-             writer.owner + "), expected " + rule.type +
-             "; unitree_hg is the type of humanoids: choose another domain or interface";
+      finding.problem = std::string(rule.topic) + ": got a writer of type " + writer.type + " (" +
+                        writer.owner + "), expected " + rule.type +
+                        "; unitree_hg is the type of humanoids: choose another domain or interface";
+      continue;
     }
     owners += (others++ > 0 ? ", " : "") + writer.owner;
   }
-  if (others <= rule.max_writers) return "";
-  return std::string(rule.topic) + ": got " + std::to_string(others) + " other writer(s) (" +
-         owners + "), expected " + std::to_string(rule.max_writers) + "; " + rule.remedy;
+  finding.crowded = others > rule.max_writers;
+  if (finding.crowded && finding.problem.empty()) {
+    finding.problem = std::string(rule.topic) + ": got " + std::to_string(others) +
+                      " other writer(s) (" + owners + "), expected " +
+                      std::to_string(rule.max_writers) + "; " + rule.remedy + kLeaseRemedy;
+  }
+  return finding;
 }
 
 void PeerWatch::report_changes(std::size_t rule, const std::vector<DiscoveredEndpoint>& writers) {

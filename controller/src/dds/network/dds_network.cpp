@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "dds/ddsc/library_version.hpp"
 #include "dds/ddsc/loaded_libraries.hpp"
 #include "dds/network/dds_config.hpp"
 #include "dds/network/participant.hpp"
@@ -55,6 +56,10 @@ struct DdsNetwork::Impl {
     const DdsLibrary& library = participant.library();
     notices.push_back("DDS domain " + std::to_string(o.domain) + " on " + o.interface +
                       ", libddsc " + library.version + " (" + library.path + ")");
+    if (!is_tested_library_version(library.version)) {
+      notices.push_back("libddsc " + library.version + " was not tested, expected " +
+                        tested_library_versions() + ": run simulations first");
+    }
     if (std::getenv("CYCLONEDDS_URI") != nullptr) {
       notices.push_back("CYCLONEDDS_URI is set, but not used: the settings are interface " +
                         o.interface + " and domain " + std::to_string(o.domain));

@@ -11,14 +11,24 @@ namespace {
 // robot and ROS 2 have. Endpoints that have gone leave samples too.
 constexpr std::uint32_t kSamples = 512;
 
-DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic) {
+void set_flag(ddsc::Entity, void* flag) { static_cast<std::atomic<bool>*>(flag)->store(true); }
+
+// @param changed set to true at every change of what the reader holds; or nullptr
+DdsEntity built_in_reader(const DdsParticipant& participant, ddsc::Entity topic,
+                          std::atomic<bool>* changed = nullptr) {
   const ddsc::Functions& f = participant.functions();
-  return DdsEntity(f, f.create_reader(participant.handle(), topic, nullptr, nullptr),
-                   "DDS reader of a built-in topic");
+  ddsc::Listener* listener = nullptr;
+  if (changed != nullptr) {
+    listener = f.create_listener(changed);
+    f.lset_data_available_arg(listener, &set_flag, changed, true);
+  }
+  const ddsc::Entity created = f.create_reader(participant.handle(), topic, nullptr, listener);
+  if (listener != nullptr) f.delete_listener(listener);  // the reader has a copy
+  return DdsEntity(f, created, "DDS reader of a built-in topic");
 }
 
-// Call use(sample) for every participant or endpoint that is alive. Throws surefoot::Error if they
-// cannot be read.
+// Call use(sample, handle) for every participant or endpoint that is alive. Throws surefoot::Error
+// if they cannot be read.
 template <typename Sample, typename Use>
 void for_each_alive(const ddsc::Functions& f, const DdsEntity& reader, Use&& use) {
   for (std::uint32_t size = kSamples;; size *= 2) {
@@ -30,7 +40,8 @@ void for_each_alive(const ddsc::Functions& f, const DdsEntity& reader, Use&& use
     for (ddsc::Return k = 0; all && k < count; ++k) {
       const ddsc::SampleInfo& info = infos[static_cast<std::size_t>(k)];
       if (info.valid_data && info.instance_state == ddsc::kInstanceAlive)
-        use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]));
+        use(*static_cast<const Sample*>(samples[static_cast<std::size_t>(k)]),
+            info.instance_handle);
     }
     if (count > 0) f.return_loan(reader.handle(), samples.data(), count);
     if (all) return;
@@ -51,8 +62,9 @@ std::string hex(const ddsc::Guid& guid) {
 
 DdsDiscovery::DdsDiscovery(const DdsParticipant& participant)
     : functions_(participant.functions()),
+      writers_changed_(std::make_unique<std::atomic<bool>>(true)),
       participants_(built_in_reader(participant, ddsc::kTopicOfParticipants)),
-      writers_(built_in_reader(participant, ddsc::kTopicOfWriters)),
+      writers_(built_in_reader(participant, ddsc::kTopicOfWriters, writers_changed_.get())),
       readers_(built_in_reader(participant, ddsc::kTopicOfReaders)) {}
 
 std::vector<DiscoveredEndpoint> DdsDiscovery::writers(const std::string& topic) const {
@@ -67,21 +79,27 @@ std::vector<DiscoveredEndpoint> DdsDiscovery::endpoints(const DdsEntity& reader,
   const std::map<ddsc::Guid, std::string> names = owners();
   std::vector<DiscoveredEndpoint> found;
   for_each_alive<ddsc::EndpointSample>(
-      functions_, reader, [&](const ddsc::EndpointSample& endpoint) {
+      functions_, reader, [&](const ddsc::EndpointSample& endpoint, std::uint64_t handle) {
         if (topic != endpoint.topic_name) return;
         const auto owner = names.find(endpoint.participant_key);
-        found.push_back({endpoint.key, endpoint.type_name,
+        found.push_back({endpoint.key, handle, endpoint.type_name, is_reliable(endpoint),
                          owner == names.end() ? "participant " + hex(endpoint.participant_key)
                                               : owner->second});
       });
   return found;
 }
 
+bool DdsDiscovery::is_reliable(const ddsc::EndpointSample& endpoint) const {
+  ddsc::Reliability reliability = ddsc::Reliability::kBestEffort;
+  return functions_.qget_reliability(endpoint.qos, &reliability, nullptr) &&
+         reliability == ddsc::Reliability::kReliable;
+}
+
 std::map<ddsc::Guid, std::string> DdsDiscovery::owners() const {
   std::map<ddsc::Guid, std::string> names;
   for_each_alive<ddsc::ParticipantSample>(
       functions_, participants_,
-      [&](const ddsc::ParticipantSample& p) { names[p.key] = owner_text(p); });
+      [&](const ddsc::ParticipantSample& p, std::uint64_t) { names[p.key] = owner_text(p); });
   return names;
 }
 

@@ -71,10 +71,12 @@ DdsReader::DdsReader(const DdsParticipant& participant, const dds_topic_descript
       topic_(create_topic(participant, type, topic)),
       reader_(create_reader(participant, topic_.handle(), topic, last_arrival_.get())) {}
 
-bool DdsReader::take(void* sample) noexcept {
+bool DdsReader::take(void* sample, std::uint64_t* writer) noexcept {
   ddsc::SampleInfo info{};
   while (functions_->take(reader_.handle(), &sample, &info, 1, 1) > 0) {
-    if (info.valid_data) return true;  // otherwise it tells that a writer has gone
+    if (!info.valid_data) continue;  // a writer has gone
+    if (writer != nullptr) *writer = info.publication_handle;
+    return true;
   }
   return false;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 
 #include "dds/network/participant.hpp"
@@ -41,8 +42,9 @@ class DdsReader {
 
   /// Take the oldest sample. Never blocks. Real-time: yes, except that libddsc may lock.
   /// @param sample struct of the type, without pointers
+  /// @param writer receives the handle of the writer, see DiscoveredEndpoint::handle; or nullptr
   /// @return true if a sample was taken
-  bool take(void* sample) noexcept;
+  bool take(void* sample, std::uint64_t* writer = nullptr) noexcept;
   /// Return when the newest sample arrived [s], on monotonic_time(). Real-time: yes.
   double last_arrival() const noexcept { return last_arrival_->load(); }
 

@@ -47,12 +47,20 @@ ArmingChecks::ArmingChecks(const Robot& robot, const ArmingLimits& limits)
   // kProgram: can the motors carry out the rise plan? The answer does not depend on samples.
   check_below(at(ArmingCheckId::kProgram), limits.max_holding_share, 1.0);
   set_blocking_fault(FaultId::kNone);
+  set_conflict(false);
 }
 
 void ArmingChecks::set_blocking_fault(FaultId why) noexcept {
   ArmingCheck& check = at(ArmingCheckId::kFault);
   check.value = static_cast<int>(why);
   check.passed = why == FaultId::kNone;
+}
+
+void ArmingChecks::set_conflict(bool present) noexcept {
+  ArmingCheck& check = at(ArmingCheckId::kConflict);
+  check.value = present;
+  check.passed = !present;
+  if (present) clear_ready();
 }
 
 void ArmingChecks::update(const LowState& state, double step) noexcept {

@@ -30,9 +30,9 @@ inline void check_below(ArmingCheck& check, double value, double limit) noexcept
 }
 
 /// Runs the arming checks on every LowState. The checks concern the link, motors, IMU, joints, feet
-/// and rise plan, and whether a fault keeps the robot down. The robot is ready once all checks have
-/// passed for ArmingLimits::time without interruption. Real-time: all functions except the
-/// constructor.
+/// and rise plan, and whether a fault or another program keeps the robot down. The robot is ready
+/// once all checks have passed for ArmingLimits::time without interruption. Real-time: all
+/// functions except the constructor.
 class ArmingChecks {
  public:
   ArmingChecks(const Robot& robot, const ArmingLimits& limits);
@@ -47,6 +47,9 @@ class ArmingChecks {
   void count_missed() noexcept;
   /// Set the fault that keeps the robot down, or kNone. The next update() takes it into account.
   void set_blocking_fault(FaultId why) noexcept;
+  /// Set whether another program commands the robot, or a second robot sends LowStates.
+  void set_conflict(bool present) noexcept;
+  bool has_conflict() const noexcept { return !report_[ArmingCheckId::kConflict].passed; }
   /// Restart the time for which all checks must pass.
   void clear_ready() noexcept { report_.passed_for = 0.0, report_.ready = false; }
   /// Return the share of missing samples, 0 .. 1, averaged over about a second.

@@ -69,6 +69,9 @@ std::string describe_value(ArmingCheckId id, const ArmingCheck& c, const RobotCo
       if (c.passed) return "no fault keeps the robot down";
       return format("%s keeps the robot down, expected no such fault",
                     to_string(static_cast<FaultId>(static_cast<int>(c.value))));
+    case ArmingCheckId::kConflict:
+      if (c.passed) return "no other program commands the robot";
+      return "another program commands the robot, or a second robot sends LowStates; end it";
     case ArmingCheckId::kProgram:
       return format("getting up takes %.0f %% of a motor's torque limit, expected below %.0f %%",
                     100.0 * c.value, 100.0 * c.limit);
@@ -81,7 +84,7 @@ std::string describe_value(ArmingCheckId id, const ArmingCheck& c, const RobotCo
 const char* to_string(ArmingCheckId id) noexcept {
   constexpr std::array<const char*, kArmingChecks> names = {
       "link", "motor_mode", "temperature", "quaternion", "gyroscope", "accelerometer", "attitude",
-      "tilt", "joints",     "motor_order", "foot_force", "program",   "fault"};
+      "tilt", "joints",     "motor_order", "foot_force", "program",   "fault",         "conflict"};
   return names[static_cast<int>(id)];
 }
 

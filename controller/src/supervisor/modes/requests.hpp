@@ -14,7 +14,7 @@ struct RequestContext {
   bool state_valid = false;  ///< true if valid samples arrive
   bool armed = false;
   bool ready = false;          ///< true if all arming checks have passed for arming_time
-  bool must_sit = false;       ///< true if a fault or a lost leg forbids a rise
+  bool must_sit = false;       ///< true if a fault, a lost leg or a conflict forbids a rise
   bool fading = false;         ///< true if torques fade between modes
   bool checks_waived = false;  ///< true for Start::kStanding: arm() needs no checks
   bool must_stand = false;     ///< true if a fault or a lost leg forbids walking
