@@ -135,7 +135,7 @@ void JointEstimate::learn_from_swing(int leg, const Terms& terms, double dt) noe
 }
 
 Vector3 JointEstimate::certain_part(int kind) const noexcept {
-  const auto& [x, P, excitation] = regressions_[kind];
+  const auto& [x, P, excitation, time] = regressions_[kind];
   const double sigma = kModelSigma * tau_max_[kind];
   Matrix3 information = excitation;
   information.diagonal() += initial_sigma_.col(kind).cwiseAbs2().cwiseInverse() * sigma * sigma;
@@ -144,8 +144,9 @@ Vector3 JointEstimate::certain_part(int kind) const noexcept {
 
 void JointEstimate::learn(int joint, const Vector3& regressor, double torque, double dt) noexcept {
   const int k = kind_[joint];
-  auto& [x, P, excitation] = regressions_[k];
-  excitation += dt / kMemoryTime * (regressor * regressor.transpose() - excitation);
+  auto& [x, P, excitation, time] = regressions_[k];
+  time = std::min(time + dt, kMemoryTime);
+  excitation += dt / time * (regressor * regressor.transpose() - excitation);
   const Vector3 gain = P * regressor;
   const double sigma = kTorqueSigma * tau_max_[k];
   const double expected = regressor.dot(gain);

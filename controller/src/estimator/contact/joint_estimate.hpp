@@ -57,6 +57,7 @@ class JointEstimate {
     Matrix3 P = Matrix3::Zero();  // covariance
     // Mean of regressor * regressor^T over the memory.
     Matrix3 excitation = Matrix3::Zero();
+    double time = 0.0;  // [s] of swing; at most the memory
   };
   // Terms of the equation for the joints of one leg.
   struct Terms {
