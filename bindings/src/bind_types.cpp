@@ -122,13 +122,13 @@ void bind_robot_state(nb::module_& m) {
               "[kg.m^2], shape (12,), SDK motor order.\n\n"
               "The sum of both must not be negative.")
       .def_rw("joint_damping", &RobotState::joint_damping,
-              "Viscous friction of each joint as learnt by the estimator [N.m.s/rad], 0 or more,\n"
-              "shape (12,), SDK motor order.\n\n"
-              "The controllers compensate it.")
+              "Viscous friction of each joint that the controllers compensate [N.m.s/rad], 0 or\n"
+              "more, shape (12,), SDK motor order.\n\n"
+              "The estimator sets it while the robot steps; a standing robot needs its damping.")
       .def_rw("joint_friction", &RobotState::joint_friction,
-              "Coulomb friction of each joint as learnt by the estimator [N.m], 0 or more, shape\n"
-              "(12,), SDK motor order.\n\n"
-              "The controllers compensate it.");
+              "Coulomb friction of each joint that the controllers compensate [N.m], 0 or more,\n"
+              "shape (12,), SDK motor order.\n\n"
+              "The estimator sets it while the robot steps; a standing robot needs its damping.");
 }
 
 void bind_reference(nb::module_& m) {

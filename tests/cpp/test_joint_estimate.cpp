@@ -28,6 +28,7 @@ struct SwingFixture {
   double foot_speed = 1.0;  // [m/s]
   double hit = 0.0;         // [N.m] torque that the model cannot explain
   double time = 0.0;        // [s]
+  Vector12 stops = Vector12::Zero();
   Vector12 torque = Vector12::Zero();
 
   double configured() const { return robot.config().armature[0]; }
@@ -46,12 +47,11 @@ struct SwingFixture {
       dynamics.update(state.q, state.v, Vector3::UnitZ());
       Vector3 tau = dynamics.legs()[FL_].M_leg * Vector3::Constant(ddq);
       tau += (Vector3::Constant(error) - state.armature_error.segment<3>(3 * FL_)) * ddq;
-      tau += (Vector3::Constant(damping) - state.joint_damping.segment<3>(3 * FL_)) * dq;
-      const double sign = dq > 0.0 ? 1.0 : -1.0;
-      tau += (Vector3::Constant(coulomb) - state.joint_friction.segment<3>(3 * FL_)) * sign;
+      tau += Vector3::Constant(damping * dq + (dq > 0.0 ? coulomb : -coulomb));
       unfiltered.segment<3>(3 * FL_) = tau + Vector3::Constant(hit);
       torque += kPeriod / (kPeriod + LegForces::kFilterTime) * (unfiltered - torque);
-      joints.update({dynamics, v, torque, q}, state, kPeriod);
+      joints.update({dynamics, v, torque, q, stops}, kPeriod);
+      state.armature_error = joints.armature_error();
     }
   }
 };
@@ -76,7 +76,7 @@ BOOST_FIXTURE_TEST_CASE(friction_is_not_taken_for_armature, SwingFixture) {
   swing(2.0);
   BOOST_TEST(state.armature_error.cwiseAbs().maxCoeff() < 0.2 * configured());
   const double speed = 4.0, truth = coulomb + damping * speed;  // [rad/s], [N.m]
-  const Vector12 learnt = state.joint_friction + speed * state.joint_damping;
+  const Vector12 learnt = joints.friction() + speed * joints.damping();
   BOOST_TEST((learnt.array() / truth - 1.0).abs().maxCoeff() < 0.2);
 }
 
@@ -87,17 +87,44 @@ BOOST_FIXTURE_TEST_CASE(foot_that_does_not_move_teaches_nothing, SwingFixture) {
   BOOST_TEST(state.armature_error.isZero());
 }
 
+BOOST_FIXTURE_TEST_CASE(joint_at_its_stop_teaches_nothing, SwingFixture) {
+  error = configured();
+  stops.setOnes();
+  swing(1.0);
+  BOOST_TEST(state.armature_error.isZero());
+}
+
+BOOST_FIXTURE_TEST_CASE(friction_that_falls_is_learnt_again, SwingFixture) {
+  coulomb = 1.0;
+  swing(3.0);
+  BOOST_TEST(joints.friction().minCoeff() > 0.7);
+  coulomb = 0.0;
+  swing(40.0);
+  BOOST_TEST(joints.friction().maxCoeff() < 0.2);
+}
+
+// Without pause(), the jump of the angles would be an acceleration of thousands of rad/s^2.
+BOOST_FIXTURE_TEST_CASE(a_pause_in_a_swing_changes_nothing, SwingFixture) {
+  swing(1.0);
+  const Vector12 before = state.armature_error;
+  joints.pause();
+  time += 0.08;
+  torque.setZero();
+  swing(0.1);
+  BOOST_TEST((state.armature_error - before).cwiseAbs().maxCoeff() < 0.1 * configured());
+}
+
 BOOST_FIXTURE_TEST_CASE(results_have_physical_limits, SwingFixture) {
   error = -3.0 * configured();
   damping = -1.0;
   swing(2.0);
   BOOST_TEST(state.armature_error.minCoeff() == -configured());
-  BOOST_TEST(state.joint_damping.isZero());
+  BOOST_TEST(joints.damping().isZero());
   error = 0.0;
   damping = 100.0;
   swing(5.0);
   const RobotConfig& config = robot.config();
-  BOOST_TEST((state.joint_damping.array() * config.no_load_speed.array() <=
+  BOOST_TEST((joints.damping().array() * config.no_load_speed.array() <=
               config.tau_max.array() * (1.0 + 1e-12))
                  .all());
 }

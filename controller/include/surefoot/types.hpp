@@ -79,11 +79,10 @@ struct RobotState {
   /// [kg.m^2] Rotor inertia of each joint as learnt by the estimator, minus RobotConfig::armature,
   /// SDK motor order. The sum of both must not be negative.
   Vector12 armature_error = Vector12::Zero();
-  /// [N.m.s/rad] Viscous friction of each joint as learnt by the estimator, SDK motor order, 0 or
-  /// more. The controllers compensate it.
+  /// [N.m.s/rad] Viscous friction of each joint that the controllers compensate, SDK motor order, 0
+  /// or more. The estimator sets it while the robot steps; a standing robot needs its damping.
   Vector12 joint_damping = Vector12::Zero();
-  /// [N.m] Coulomb friction of each joint as learnt by the estimator, SDK motor order, 0 or more.
-  /// The controllers compensate it.
+  /// [N.m] Coulomb friction of each joint that the controllers compensate, likewise.
   Vector12 joint_friction = Vector12::Zero();
 };
 

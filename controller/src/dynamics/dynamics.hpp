@@ -49,6 +49,9 @@ class Dynamics {
   /// does not change.
   void shift(const Vector3& p_world, const Vector3& v_world) noexcept;
 
+  /// Joint friction that h contains [N.m], SDK motor order; see set_joints().
+  const Vector12& friction_torque() const noexcept { return friction_torque_; }
+
   /// Return whether the model is a free base with four chains of three joints and nothing else. The
   /// condensed form of the QP is valid only for such a model.
   bool condensable() const noexcept { return condensable_; }

@@ -26,8 +26,9 @@ struct LegDynamics {
   /// ground normal n: a_centre + r n x alpha_shank.
   Vector3 drift;
   Matrix63 M_base_leg;  ///< block of the mass matrix: base rows, columns of the leg
-  Matrix3 M_leg;        ///< block of the mass matrix, armature included
-  Vector3 h_leg;        ///< [N.m] Coriolis, centrifugal and gravity torques
+  Matrix3 M_leg;        ///< block of the mass matrix, learnt armature included
+  /// [N.m] Coriolis, centrifugal and gravity torques, and joint friction (Dynamics::set_joints()).
+  Vector3 h_leg;
   /// [m] Depth of the contact point below the hip axis, in the leg's plane. Dynamics makes it
   /// positive in the standing pose.
   double depth;
@@ -39,8 +40,8 @@ struct FullDynamics {
       : M(Eigen::MatrixXd::Zero(nv, nv)),
         h(Eigen::VectorXd::Zero(nv)),
         J(Eigen::MatrixXd::Zero(3 * kLegs, nv)) {}
-  Eigen::MatrixXd M;  ///< mass matrix, armature included
-  Eigen::VectorXd h;  ///< Coriolis, centrifugal and gravity forces
+  Eigen::MatrixXd M;  ///< mass matrix, learnt armature included
+  Eigen::VectorXd h;  ///< Coriolis, centrifugal and gravity forces, and joint friction
   Eigen::MatrixXd J;  ///< contact Jacobian, rows FR FL RR RL
 };
 

@@ -136,12 +136,25 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
                    step_detector.stepped_lately()},
                   dt);
   state.friction = friction.share() * slip.friction(gains);
-  if (torques_valid())
-    joints.update({dynamics, v_contact, leg_forces.swing_torque(), q}, state, dt);
+  learn_joints(v_contact, dt);
+  state.armature_error = joints.armature_error();
+  // The friction of its joints damps a standing robot, so it is not compensated there.
+  const double share = step_detector.stepped_lately() ? 1.0 : 0.0;
+  state.joint_damping = share * joints.damping();
+  state.joint_friction = share * joints.friction();
   // Without torques, the feet in contact share the weight equally.
   sole_load.update(
       torques_valid() ? loads : Eigen::Vector4d(state.contact / std::max(state.contact.sum(), 1.0)),
       step_detector.steps(), dt);
+}
+
+// Only a robot that steps swings its legs; the legs of any other robot may be moved by hand.
+void StateEstimator::Impl::learn_joints(const FeetMatrix& v_contact, double dt) noexcept {
+  const auto used = [](SensorVerdict verdict) { return verdict <= SensorVerdict::kUnjudged; };
+  const bool imu_valid = imu_is_fresh() && used(imu.accelerometer) && used(imu.gyroscope);
+  if (!torques_valid() || !imu_valid || !step_detector.steps()) return joints.pause();
+  const Vector12 stops = joint_stops(robot.config(), q);
+  joints.update({dynamics, v_contact, leg_forces.swing_torque(), q, stops}, dt);
 }
 
 void StateEstimator::Impl::correct(double dt) noexcept {

@@ -31,8 +31,8 @@ void StateEstimator::Impl::check_standing(double dt) noexcept {
     return;
   }
   attitude_memory.update(filter, imu_input);
-  standing_check.update(
-      dynamics, {assumed, q, w_base, imu_input.f_base, robot.config().p_base_imu}, dt);
+  standing_check.update(dynamics, {assumed, q, w_base, imu_input.f_base, robot.config().p_base_imu},
+                        dt);
   if (standing_check.newly_refuted()) attitude_memory.restore(filter, kCarriedSpeed);
 }
 

@@ -44,9 +44,9 @@ EstimatorReport StateEstimator::report() const noexcept {
   out.foot_forces_from_torques = s.leg_forces.forces();
   out.slip = s.slip.slip();
   out.friction = s.friction.coefficient();
-  out.armature = s.robot.config().armature + s.state.armature_error;
-  out.joint_damping = s.state.joint_damping;
-  out.joint_friction = s.state.joint_friction;
+  out.armature = s.robot.config().armature + s.joints.armature_error();
+  out.joint_damping = s.joints.damping();
+  out.joint_friction = s.joints.friction();
   out.gyroscope_bias = s.filter.gyroscope_bias();
   out.accelerometer_bias = s.filter.accelerometer_bias();
   const Vector3 v_base = s.dynamics.R_world_base() * s.state.v.head<3>();

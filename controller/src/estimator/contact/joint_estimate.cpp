@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/contact/joint_estimate.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +13,7 @@ namespace {
 
 // All values are chosen. Test: test_joint_estimate.cpp, test_learnt_joints.py.
 // [sqrt(g h)] Speed of a foot against the slowest foot above which it is in the air: 0.4 m/s at
-// h = 0.3 m. If smaller: feet that slip or stick teach. If larger: slow swings teach nothing.
+// h = 0.3 m. If smaller: feet that slip or stick count. If larger: slow swings do not count.
 constexpr double kAirSpeed = 0.25;
 // [s] Time for which a foot has been that fast before it is in the air. A soft sole drags on the
 // ground for 25 ms while the foot already lifts off, and the drag looks like friction of the
@@ -23,141 +22,114 @@ constexpr double kLiftTime = 0.02;
 // [s] Time constant of the low-pass. If smaller: noise of ddq makes the armature too small. If
 // larger: the swing itself does not pass.
 constexpr double kFilterTime = 0.02;
-// [tau_max] Standard deviation of the missing torque of one sample: torque sensor, wrong masses of
-// the leg and the shocks of other feet.
-constexpr double kTorqueSigma = 0.02;
-// [s] Time for which the error of the missing torque is the same, a part of a swing. Samples of one
-// such time count as one.
-constexpr double kCorrelationTime = 0.04;
-// [tau_max] Standard deviation of the part of the missing torque that does not average out.
-constexpr double kModelSigma = 0.005;
 // Initial standard deviation of the armature: this share of RobotConfig::armature, because models
 // of one robot differ by a factor of two, plus this share of the joint's inertia in the standing
 // pose, for a RobotConfig without armature.
 constexpr double kArmatureSigma = 1.0, kInertiaSigma = 0.1;
-// [largest damping] Initial standard deviation of the viscous friction.
-constexpr double kDampingSigma = 1.0;
 // [tau_max] Initial standard deviation of the Coulomb friction.
 constexpr double kCoulombSigma = 0.05;
-// [s] Swing time over which the memory fades to 1/e. Friction changes when a gear warms up.
-constexpr double kMemoryTime = 10.0;
-// Standard deviations beyond which the missing torque of a sample counts no more.
-constexpr double kMaxDeviations = 3.0;
+
+bool same_kind(const RobotConfig& config, int a, int b) {
+  return config.armature[a] == config.armature[b] && config.tau_max[a] == config.tau_max[b] &&
+         config.no_load_speed[a] == config.no_load_speed[b];
+}
 
 }  // namespace
 
+// A motor that reaches its no-load speed has less friction than tau_max there.
 JointEstimate::JointEstimate(const Robot& robot)
-    : configured_(robot.config().armature), tau_max_(robot.config().tau_max.head<3>()) {
+    : configured_(robot.config().armature),
+      max_damping_(robot.config().tau_max.cwiseQuotient(robot.config().no_load_speed)) {
   Dynamics standing(robot);
   standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
   const double height = standing.p_world_com().z() - contact_points(standing).row(2).mean();
   air_speed_ = kAirSpeed * std::sqrt(kGravity * height);
-  for (int k = 0; k < kLegJoints; ++k) {
-    initial_sigma_(0, k) =
-        kArmatureSigma * configured_[k] + kInertiaSigma * standing.legs()[0].M_leg(k, k);
-    max_damping_[k] = tau_max_[k] / robot.config().no_load_speed[k];
-    initial_sigma_(1, k) = kDampingSigma * max_damping_[k];
-    initial_sigma_(2, k) = kCoulombSigma * tau_max_[k];
-    kind_[k] = k;
-    for (int j = k - 1; j >= 0; --j) {
-      if (configured_[j] == configured_[k] && tau_max_[j] == tau_max_[k]) kind_[k] = j;
-    }
+  for (int i = 0; i < kMotors; ++i) {
+    first_of_kind_[i] = 0;
+    while (!same_kind(robot.config(), i, first_of_kind_[i])) ++first_of_kind_[i];
+    const double inertia = standing.legs()[i / kLegJoints].M_leg.diagonal()[i % kLegJoints];
+    const double tau_max = robot.config().tau_max[i];
+    initial_[i] = {tau_max,
+                   {kArmatureSigma * configured_[i] + kInertiaSigma * inertia, max_damping_[i],
+                    kCoulombSigma * tau_max}};
   }
   reset();
 }
 
 void JointEstimate::reset() noexcept {
-  for (int k = 0; k < kLegJoints; ++k) {
-    regressions_[k] = {};
-    regressions_[k].P = initial_sigma_.col(k).cwiseAbs2().asDiagonal();
-  }
+  regressions_ = initial_;
+  take_results();
+  pause();
+}
+
+void JointEstimate::pause() noexcept {
   legs_.fill({});
   started_ = false;
 }
 
-void JointEstimate::update(const JointInput& input, RobotState& state, double dt) noexcept {
+void JointEstimate::update(const JointInput& input, double dt) noexcept {
+  if (dt > kLiftTime) pause();  // a gap: the signals between the samples are unknown
   int slowest = 0;
   input.v_contact.colwise().squaredNorm().minCoeff(&slowest);
-  const double blend = started_ ? dt / (dt + LegForces::kFilterTime) : 1.0;
   for (int i = 0; i < kLegs; ++i) {
+    observe(i, input, dt);
     Leg& leg = legs_[i];
-    const Vector3 q = input.q.segment<kLegJoints>(kLegJoints * i);
-    leg.q += blend * (q - leg.q);
-    const Vector3 dq = (q - leg.q) / LegForces::kFilterTime;
-    const Vector3 ddq = (dq - leg.dq) / dt;
-    leg.dq = dq;
     const double speed = (input.v_contact.col(i) - input.v_contact.col(slowest)).norm();
     leg.fast_time = speed >= air_speed_ ? leg.fast_time + dt : 0.0;
     if (leg.fast_time > kLiftTime) {
-      learn_from_swing(i, terms(i, input, state, ddq), dt);
+      learn(i, input.stops, dt);
     } else {
       leg.low_passed = {};
     }
   }
   started_ = true;
-  std::array<Vector3, kLegJoints> certain;
-  for (int k = 0; k < kLegJoints; ++k) certain[k] = certain_part(k);
-  for (int i = 0; i < kMotors; ++i) {
-    const Vector3& x = certain[kind_[i % kLegJoints]];
-    state.armature_error[i] = std::max(x[0], -configured_[i]);
-    // A motor that reaches its no-load speed has less friction than tau_max there.
-    state.joint_damping[i] = std::clamp(x[1], 0.0, max_damping_[i % kLegJoints]);
-    state.joint_friction[i] = std::max(x[2], 0.0);
-  }
+  take_results();
 }
 
-// The joint errors that the dynamics contains are taken out, because the regression learns all of
-// them.
-JointEstimate::Terms JointEstimate::terms(int leg, const JointInput& input, const RobotState& state,
-                                          const Vector3& ddq) const noexcept {
-  const int first = kLegJoints * leg;
-  Terms out;
-  out.ddq = ddq;
-  out.dq = legs_[leg].dq;
-  out.sign = out.dq.unaryExpr(&smooth_sign);
-  Matrix3 M = input.dynamics.legs()[leg].M_leg;
-  M.diagonal() -= state.armature_error.segment<3>(first);
-  out.missing = input.swing_torque.segment<3>(first) - M * ddq +
-                state.joint_damping.segment<3>(first).cwiseProduct(out.dq) +
-                state.joint_friction.segment<3>(first).cwiseProduct(out.sign);
-  return out;
+// Compute the terms of this tick. swing_torque contains no joint friction; the armature error is
+// taken out of M here.
+void JointEstimate::observe(int index, const JointInput& input, double dt) noexcept {
+  Leg& leg = legs_[index];
+  Terms& terms = leg.terms;
+  const int first = kLegJoints * index;
+  const Vector3 q = input.q.segment<kLegJoints>(first);
+  if (!started_) leg.q = leg.last_q = q;
+  const double blend = dt / (dt + LegForces::kFilterTime);
+  leg.q += blend * (q - leg.q);
+  const Vector3 dq = (q - leg.q) / LegForces::kFilterTime;
+  const Vector3 sign = ((q - leg.last_q) / dt).unaryExpr(&smooth_sign);
+  leg.last_q = q;
+  terms.ddq = (dq - terms.dq) / dt;
+  terms.dq = dq;
+  terms.sign += blend * (sign - terms.sign);
+  Matrix3 M = input.dynamics.legs()[index].M_leg;
+  M.diagonal() -= armature_error_.segment<kLegJoints>(first);
+  terms.torque = input.swing_torque.segment<kLegJoints>(first) - M * terms.ddq;
 }
 
-void JointEstimate::learn_from_swing(int leg, const Terms& terms, double dt) noexcept {
+void JointEstimate::learn(int index, const Vector12& stops, double dt) noexcept {
   const double blend = dt / (dt + kFilterTime);
-  Terms& slow = legs_[leg].low_passed;
-  slow.missing += blend * (terms.missing - slow.missing);
+  const Terms& terms = legs_[index].terms;
+  Terms& slow = legs_[index].low_passed;
+  slow.torque += blend * (terms.torque - slow.torque);
   slow.ddq += blend * (terms.ddq - slow.ddq);
   slow.dq += blend * (terms.dq - slow.dq);
   slow.sign += blend * (terms.sign - slow.sign);
-  for (int k = 0; k < kLegJoints; ++k)
-    learn(k, {slow.ddq[k], slow.dq[k], slow.sign[k]}, slow.missing[k], dt);
+  for (int k = 0; k < kLegJoints; ++k) {
+    const int motor = kLegJoints * index + k;
+    if (stops[motor] != 0.0) continue;  // the stop may exert a torque
+    regressions_[first_of_kind_[motor]].learn({slow.ddq[k], slow.dq[k], slow.sign[k]},
+                                              slow.torque[k], dt);
+  }
 }
 
-Vector3 JointEstimate::certain_part(int kind) const noexcept {
-  const auto& [x, P, excitation, time] = regressions_[kind];
-  const double sigma = kModelSigma * tau_max_[kind];
-  Matrix3 information = excitation;
-  information.diagonal() += initial_sigma_.col(kind).cwiseAbs2().cwiseInverse() * sigma * sigma;
-  return information.inverse() * (excitation * x);
-}
-
-void JointEstimate::learn(int joint, const Vector3& regressor, double torque, double dt) noexcept {
-  const int k = kind_[joint];
-  auto& [x, P, excitation, time] = regressions_[k];
-  time = std::min(time + dt, kMemoryTime);
-  excitation += dt / time * (regressor * regressor.transpose() - excitation);
-  const Vector3 gain = P * regressor;
-  const double sigma = kTorqueSigma * tau_max_[k];
-  const double expected = regressor.dot(gain);
-  const double variance = expected + sigma * sigma * std::max(1.0, kCorrelationTime / dt);
-  const double innovation = torque - regressor.dot(x);
-  if (std::abs(innovation) > kMaxDeviations * std::sqrt(expected + sigma * sigma)) return;
-  x += innovation / variance * gain;
-  P -= gain * gain.transpose() / variance;
-  // The memory fades, but no variance grows beyond its initial value.
-  if ((P.diagonal().array() < initial_sigma_.col(k).cwiseAbs2().array()).all())
-    P *= 1.0 + dt / kMemoryTime;
+void JointEstimate::take_results() noexcept {
+  for (int i = 0; i < kMotors; ++i) {
+    const Vector3 result = regressions_[first_of_kind_[i]].result();
+    armature_error_[i] = std::max(result[0], -configured_[i]);
+    damping_[i] = std::clamp(result[1], 0.0, max_damping_[i]);
+    friction_[i] = std::max(result[2], 0.0);
+  }
 }
 
 }  // namespace surefoot

@@ -4,88 +4,81 @@
 #include <array>
 
 #include "dynamics/dynamics.hpp"
+#include "estimator/contact/joint_regression.hpp"
 
 namespace surefoot {
 
-/// Motion and torques of the legs of which JointEstimate::update() learns.
+/// Motion and torques of the legs from which JointEstimate::update() learns.
 struct JointInput {
-  const Dynamics& dynamics;      ///< with the joint errors learnt so far
+  const Dynamics& dynamics;      ///< with armature_error()
   const FeetMatrix& v_contact;   ///< velocities of the contact points, world axes [m/s]
   const Vector12& swing_torque;  ///< LegForces::swing_torque() [N.m]
   const Vector12& q;             ///< joint angles, SDK motor order [rad]
+  const Vector12& stops;         ///< result of joint_stops()
 };
 
 /// Rotor inertia and friction of the joints, learnt from legs that swing.
 ///
-/// No force acts on a foot in the air, so the torque that the model does not explain is that of
-/// a wrong armature and of friction in the joint:
-///   missing torque = e ddq + d dq + c sign(dq).
-/// Recursive least squares estimate e, d and c. The same joint of the four legs has the same motor,
-/// so all legs teach one estimate for hips, one for thighs and one for calves, or fewer: joints
-/// with the same armature and torque limit in RobotConfig share an estimate.
+/// No force acts on a foot in the air. A torque that the model does not explain is then caused by
+/// a wrong armature or by friction of the joint (see JointRegression). Joints of one kind, those
+/// with equal armature, torque limit and no-load speed in RobotConfig, share an estimate.
 ///
 /// All terms of the equation pass the same filters: LegForces::kFilterTime, then a slower one.
-/// The accelerations are differences of joint angles. Joint velocities have the delay of the
-/// driver's filter, which a regression takes for friction, and their noise, which would make the
+/// Velocities and accelerations are differences of joint angles, because measured velocities have
+/// the delay of the motor driver's filter, which looks like friction, and noise, which makes the
 /// armature too small.
 ///
-/// A foot that moves fast against the slowest foot is in the air. This needs no contact forces:
-/// a wrong armature falsifies the forces that the torques give. A fast foot may also hit something,
-/// so a sample that the estimate does not explain by a few standard deviations does not count.
-///
-/// Errors of the model do not average out over many swings. An estimate whose joint hardly moves
-/// contains little else, so it is reduced: the result is the estimate of a single measurement with
-/// the mean excitation, a standard deviation of kModelSigma, and the initial variances.
+/// A foot is in the air if it moves fast against the slowest foot. Contact forces are not used,
+/// because a wrong armature falsifies them.
 ///
 /// Source of the regression on filtered signals: Khalil and Dombre 2002, "Modeling, identification
-/// and control of robots", chapter 12. Real-time: update() yes.
+/// and control of robots", chapter 12. Real-time: update(), pause() and reset() yes.
 class JointEstimate {
  public:
   explicit JointEstimate(const Robot& robot);
 
-  /// Process one tick.
-  /// @param input computed with the joint errors of `state`
-  /// @param state armature_error, joint_damping and joint_friction are written
-  void update(const JointInput& input, RobotState& state, double dt) noexcept;
+  /// Process one tick of a robot that steps.
+  void update(const JointInput& input, double dt) noexcept;
 
+  /// Forget the signals of the legs, because a tick is left out. The estimates stay.
+  void pause() noexcept;
+
+  /// Forget everything.
   void reset() noexcept;
 
+  /// Learnt armature minus RobotConfig::armature [kg.m^2], SDK motor order; initially 0.
+  const Vector12& armature_error() const noexcept { return armature_error_; }
+  /// Learnt viscous friction [N.m.s/rad], SDK motor order; initially 0.
+  const Vector12& damping() const noexcept { return damping_; }
+  /// Learnt Coulomb friction [N.m], SDK motor order; initially 0.
+  const Vector12& friction() const noexcept { return friction_; }
+
  private:
-  // Recursive least squares of all joints with the same motor.
-  struct Regression {
-    Vector3 x = Vector3::Zero();  // [kg.m^2], [N.m.s/rad], [N.m]
-    Matrix3 P = Matrix3::Zero();  // covariance
-    // Mean of regressor * regressor^T over the memory.
-    Matrix3 excitation = Matrix3::Zero();
-    double time = 0.0;  // [s] of swing; at most the memory
-  };
   // Terms of the equation for the joints of one leg.
   struct Terms {
-    Vector3 missing = Vector3::Zero();  // [N.m] without the joint errors
+    Vector3 torque = Vector3::Zero();  // [N.m] that the model without joint errors lacks
     Vector3 ddq = Vector3::Zero(), dq = Vector3::Zero(), sign = Vector3::Zero();
   };
   struct Leg {
-    Vector3 q = Vector3::Zero();   // [rad] low-passed
-    Vector3 dq = Vector3::Zero();  // [rad/s] derivative of q
-    double fast_time = 0.0;        // [s] for which the foot has moved fast
-    Terms low_passed;              // since the foot has been in the air
+    Vector3 last_q = Vector3::Zero();  // [rad] of the last tick
+    Vector3 q = Vector3::Zero();       // [rad] low-passed
+    Terms terms;                       // of this tick
+    Terms low_passed;                  // since the foot has been in the air
+    double fast_time = 0.0;            // [s] for which the foot has moved fast
   };
-  Terms terms(int leg, const JointInput& input, const RobotState& state,
-              const Vector3& ddq) const noexcept;
-  void learn_from_swing(int leg, const Terms& terms, double dt) noexcept;
-  Vector3 certain_part(int kind) const noexcept;
-  void learn(int joint, const Vector3& regressor, double torque, double dt) noexcept;
+  void observe(int leg, const JointInput& input, double dt) noexcept;
+  void learn(int leg, const Vector12& stops, double dt) noexcept;
+  void take_results() noexcept;
 
-  double air_speed_;     // [m/s] relative speed of a foot in the air
-  Vector12 configured_;  // RobotConfig::armature
-  Vector3 tau_max_;      // [N.m] hip, thigh, calf
-  Vector3 max_damping_;  // [N.m.s/rad] hip, thigh, calf
-  // Initial standard deviations: armature, damping, friction; columns: hip, thigh, calf.
-  Matrix3 initial_sigma_;
-  std::array<int, kLegJoints> kind_;  // index into regressions_: hip, thigh, calf
-  std::array<Regression, kLegJoints> regressions_;
+  double air_speed_;      // [m/s] relative speed of a foot in the air
+  Vector12 configured_;   // RobotConfig::armature
+  Vector12 max_damping_;  // [N.m.s/rad]
+  // Motors of one kind use the regression of the first of them.
+  std::array<int, kMotors> first_of_kind_;
+  std::array<JointRegression, kMotors> initial_, regressions_;
   std::array<Leg, kLegs> legs_;
   bool started_ = false;
+  Vector12 armature_error_, damping_, friction_;
 };
 
 }  // namespace surefoot

@@ -37,7 +37,9 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     rotation += blend * (unfiltered_rotation - rotation);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
-    swing_torque_.segment<3>(3 * leg) = residual - unfiltered_rotation;
+    auto friction = friction_.segment<3>(3 * leg);
+    friction += blend * (dynamics.friction_torque().segment<3>(3 * leg) - friction);
+    swing_torque_.segment<3>(3 * leg) = residual + friction - unfiltered_rotation;
     // J^T f plus the torques of the stops. A torque of the sign that the stop exerts is removed.
     Vector3 tau_contact = L.M_leg * ddq + rotation - residual;
     tau_contact =

@@ -42,8 +42,9 @@ class LegForces {
   /// Forces of the ground on the feet [N], FR FL RR RL, world axes.
   const FeetMatrix& forces() const noexcept { return forces_; }
   /// Joint torques that accelerate the legs if no force acts on the feet [N.m], SDK motor order:
-  /// tau - h - M_bl^T a_b, every term with the delay of one filter. In forces(), alpha_base has
-  /// passed two filters, because of the vibration of the gyroscope.
+  /// tau - h - M_bl^T a_b, where h is without joint friction, and every term has the delay of one
+  /// filter. In forces(), alpha_base has passed two filters, because of the vibration of the
+  /// gyroscope.
   const Vector12& swing_torque() const noexcept { return swing_torque_; }
 
   void reset() noexcept { *this = LegForces(); }
@@ -53,6 +54,7 @@ class LegForces {
   Vector12 residual_ = Vector12::Zero();     // [N.m] tau - h - M_bl^T (a_base, 0), filtered
   Vector12 rotation_ = Vector12::Zero();     // [N.m] M_bl^T (0, alpha_base), filtered
   Vector12 dq_filtered_ = Vector12::Zero();  // [rad/s] joint velocities, filtered
+  Vector12 friction_ = Vector12::Zero();     // [N.m] joint friction in h, filtered
   Vector12 swing_torque_ = Vector12::Zero();
   FeetMatrix forces_ = FeetMatrix::Zero();
 };
