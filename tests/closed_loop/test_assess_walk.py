@@ -87,7 +87,7 @@ def test_result_of_a_walk_is_repeatable_and_depends_on_the_condition() -> None:
 
 
 def test_push_of_a_walking_robot_is_survived_up_to_a_level() -> None:
-    unit = WalkPushUnit(LEVEL_GROUND, (0.3, 0.0, 0.0), 0.0, 0, 1, LIP_LIMIT, 50.0)
+    unit = WalkPushUnit(LEVEL_GROUND, (0.3, 0.0, 0.0), 90.0, 0, 1, LIP_LIMIT, 50.0)
     result = run_unit(unit, "go1", walking("surefoot"))
     assert set(result) == {"percent_of_lip"} and 60.0 < result["percent_of_lip"] < 200.0
 
