@@ -127,7 +127,8 @@ void JointEstimate::take_results() noexcept {
   for (int i = 0; i < kMotors; ++i) {
     const Vector3 result = regressions_[first_of_kind_[i]].result();
     armature_error_[i] = std::max(result[0], -configured_[i]);
-    damping_[i] = std::clamp(result[1], 0.0, max_damping_[i]);
+    // With more friction a swing would take all torque of the motor, so none is compensated.
+    damping_[i] = result[1] > max_damping_[i] ? 0.0 : std::max(result[1], 0.0);
     friction_[i] = std::max(result[2], 0.0);
   }
 }
