@@ -77,7 +77,7 @@ def _armature_doubts(parts: MjcfParts, robot: Robot) -> list[str]:
         return []
     return [
         f"armature of joint '{joint_name(parts.model, joints[k])}' is {theirs[k]:.4g} kg.m^2, that "
-        f"of '{robot.name}' {ours[k]:.4g} kg.m^2; the controller knows it only after its first steps"
+        f"of '{robot.name}' {ours[k]:.4g} kg.m^2; the controller learns it when it steps"
     ]
 
 
