@@ -2,6 +2,7 @@
 #include "dds/link/blocked_writes.hpp"
 
 #include "common/clock.hpp"
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -15,15 +16,15 @@ BlockedWrites::BlockedWrites(const DdsParticipant& participant, const char* topi
 
 // Return the processes with a reliable reader of the topic: only such a reader blocks a writer.
 std::string BlockedWrites::readers() const {
-  std::string text;
+  std::vector<std::string> owners;
   try {
     for (const DiscoveredEndpoint& reader : discovery_.readers(topic_)) {
-      if (reader.is_reliable) text += (text.empty() ? "" : ", ") + reader.owner;
+      if (reader.is_reliable) owners.push_back(reader.owner);
     }
   } catch (const Error&) {
     return "unknown, because libddsc cannot read them";
   }
-  return text.empty() ? "none at present" : text;
+  return owners.empty() ? "none at present" : join(owners);
 }
 
 void BlockedWrites::add_to(std::vector<std::string>& news) {

@@ -110,8 +110,7 @@ PeerWatch::Finding PeerWatch::look_at(std::size_t rule) {
 PeerWatch::Finding PeerWatch::judge(const WriterRule& rule,
                                     const std::vector<DiscoveredEndpoint>& writers) const {
   Finding finding;
-  std::size_t others = 0;
-  std::string owners;
+  std::vector<std::string> owners;
   for (const DiscoveredEndpoint& writer : writers) {
     if (writer.guid == own_) continue;
     if (writer.type != rule.type) {
@@ -120,12 +119,12 @@ PeerWatch::Finding PeerWatch::judge(const WriterRule& rule,
                         "; unitree_hg is the type of humanoids: choose another domain or interface";
       continue;
     }
-    owners += (others++ > 0 ? ", " : "") + writer.owner;
+    owners.push_back(writer.owner);
   }
-  finding.crowded = others > rule.max_writers;
+  finding.crowded = owners.size() > rule.max_writers;
   if (finding.crowded && finding.problem.empty()) {
-    finding.problem = std::string(rule.topic) + ": got " + std::to_string(others) +
-                      " other writer(s) (" + owners + "), expected " +
+    finding.problem = std::string(rule.topic) + ": got " + std::to_string(owners.size()) +
+                      " other writer(s) (" + join(owners) + "), expected " +
                       std::to_string(rule.max_writers) + "; " + rule.remedy + kLeaseRemedy;
   }
   return finding;
@@ -152,9 +151,9 @@ void PeerWatch::report_changes(std::size_t rule, const std::vector<DiscoveredEnd
 
 std::string PeerWatch::owners(std::size_t rule) {
   const std::lock_guard lock(mutex_);
-  std::string text;
-  for (const auto& [guid, owner] : known_[rule]) text += (text.empty() ? "" : ", ") + owner;
-  return text.empty() ? "none" : text;
+  std::vector<std::string> owners;
+  for (const auto& [guid, owner] : known_[rule]) owners.push_back(owner);
+  return owners.empty() ? "none" : join(owners);
 }
 
 std::vector<std::string> PeerWatch::take_news() {
