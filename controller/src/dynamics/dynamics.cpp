@@ -45,7 +45,8 @@ void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
   }
   for (int i = 0; i < kMotors; ++i) {
     const double dq = v[robot_.motor_to_v()[i]];
-    friction_torque_[i] = damping_[i] * dq + friction_[i] * smooth_sign(dq);
+    friction_torque_[i] = damping_[i] * dq;
+    if (friction_[i] > 0.0) friction_torque_[i] += friction_[i] * smooth_sign(dq);
   }
   for (int leg = 0; leg < kLegs; ++leg) {
     terms_.legs[leg].depth *= depth_sign_[leg];

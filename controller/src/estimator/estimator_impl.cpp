@@ -100,9 +100,9 @@ Vector3 StateEstimator::Impl::base_acceleration() const noexcept {
 }
 
 void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt) noexcept {
+  const Vector12 stops = joint_stops(robot.config(), q);
   leg_forces.update(dynamics, base_acceleration(), alpha_base,
-                    torques_valid() ? tau_est : planned_tau, dq, joint_stops(robot.config(), q),
-                    dt);
+                    torques_valid() ? tau_est : planned_tau, dq, stops, dt);
   check_standing(dt);
   const Vector3 v_base = filter.v() - dynamics.w_world_base().cross(dynamics.R_world_base() *
                                                                     robot.config().p_base_imu);
@@ -136,7 +136,7 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
                    step_detector.stepped_lately()},
                   dt);
   state.friction = friction.share() * slip.friction(gains);
-  learn_joints(v_contact, dt);
+  learn_joints(v_contact, stops, dt);
   state.armature_error = joints.armature_error();
   // The friction of its joints damps a standing robot, so it is not compensated there.
   const double share = step_detector.stepped_lately() ? 1.0 : 0.0;
@@ -149,11 +149,11 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
 }
 
 // Only a robot that steps swings its legs; the legs of any other robot may be moved by hand.
-void StateEstimator::Impl::learn_joints(const FeetMatrix& v_contact, double dt) noexcept {
+void StateEstimator::Impl::learn_joints(const FeetMatrix& v_contact, const Vector12& stops,
+                                        double dt) noexcept {
   const auto used = [](SensorVerdict verdict) { return verdict <= SensorVerdict::kUnjudged; };
   const bool imu_valid = imu_is_fresh() && used(imu.accelerometer) && used(imu.gyroscope);
   if (!torques_valid() || !imu_valid || !step_detector.steps()) return joints.pause();
-  const Vector12 stops = joint_stops(robot.config(), q);
   joints.update({dynamics, v_contact, leg_forces.swing_torque(), q, stops}, dt);
 }
 

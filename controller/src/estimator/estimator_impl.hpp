@@ -42,7 +42,7 @@ struct StateEstimator::Impl {
   void update_dynamics() noexcept;
   void check_standing(double dt) noexcept;
   void update_contacts(const LowState& low_state, double dt) noexcept;
-  void learn_joints(const FeetMatrix& v_contact, double dt) noexcept;
+  void learn_joints(const FeetMatrix& v_contact, const Vector12& stops, double dt) noexcept;
   void correct(double dt) noexcept;
   void correct_off_ground(double dt) noexcept;
   void observe_external_wrench(double dt) noexcept;

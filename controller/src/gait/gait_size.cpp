@@ -3,13 +3,12 @@
 
 #include <cmath>
 
-#include "dynamics/dynamics.hpp"
+#include "dynamics/standing_pose.hpp"
 
 namespace surefoot {
 
 GaitSize::GaitSize(const Robot& robot) {
-  Dynamics standing(robot);
-  standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  const Dynamics standing = standing_dynamics(robot);
   nominal_feet = contact_points(standing).colwise() - standing.p_world_com();
   nominal_base = standing.p_world_base() - standing.p_world_com();
   height = -nominal_feet.row(2).mean();

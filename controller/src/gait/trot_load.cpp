@@ -3,13 +3,12 @@
 
 #include <cmath>
 
-#include "dynamics/dynamics.hpp"
+#include "dynamics/standing_pose.hpp"
 
 namespace surefoot {
 
 TrotLoad trot_load(const Robot& robot) {
-  Dynamics standing(robot);
-  standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  const Dynamics standing = standing_dynamics(robot);
   const Vector3 force = 0.5 * robot.mass() * kGravity * Vector3::UnitZ();
   TrotLoad largest;
   for (int leg = 0; leg < kLegs; ++leg) {

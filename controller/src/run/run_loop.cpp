@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "dynamics/dynamics.hpp"
+#include "dynamics/standing_pose.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -21,9 +21,8 @@ constexpr std::uint64_t kMaxWrongGenerationFrames = 10;
 constexpr double kLyingShare = 0.5;
 
 double standing_height(const Robot& robot) {
-  Dynamics dynamics(robot);
-  dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
-  return dynamics.p_world_base().z() - contact_points(dynamics).row(2).mean();
+  const Dynamics standing = standing_dynamics(robot);
+  return standing.p_world_base().z() - contact_points(standing).row(2).mean();
 }
 
 const RunOptions& checked_options(const RunOptions& options) {

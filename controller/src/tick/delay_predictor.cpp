@@ -67,19 +67,11 @@ RobotState& DelayPredictor::predict(const RobotState& state, double period) noex
   // The base part of dq_ is in base axes, like the base part of v.
   const Quaternion R(state.q[6], state.q[3], state.q[4], state.q[5]);
   const Quaternion turned = (R * exp_so3(dq_.segment<3>(3))).normalized();
-  predicted_.q = state.q;
+  predicted_ = state;  // of equal sizes, so nothing is allocated
   predicted_.q.head<3>() += R * Vector3(dq_.head<3>());
   predicted_.q.segment<4>(3) = turned.coeffs();
   predicted_.q.tail(dq_.size() - 6) += dq_.tail(dq_.size() - 6);
-  predicted_.v = state.v + dv_;
-  predicted_.contact = state.contact;
-  predicted_.f_external = state.f_external;
-  predicted_.f_sustained = state.f_sustained;
-  predicted_.moment_external = state.moment_external;
-  predicted_.friction = state.friction;
-  predicted_.armature_error = state.armature_error;
-  predicted_.joint_damping = state.joint_damping;
-  predicted_.joint_friction = state.joint_friction;
+  predicted_.v += dv_;
   return predicted_;
 }
 

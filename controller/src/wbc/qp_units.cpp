@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/dynamics.hpp"
+#include "dynamics/standing_pose.hpp"
 #include "surefoot/error.hpp"
 #include "wbc/condensation.hpp"
 
@@ -44,8 +44,7 @@ Vector3 angular_row_lengths(const Dynamics& dynamics) {
 // A determinant below 1e-9 m^3 can only be a rounding error: in the standing pose the determinant
 // is about the cube of a link length.
 QpUnits::QpUnits(const Robot& robot) {
-  Dynamics dynamics(robot);
-  dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  const Dynamics dynamics = standing_dynamics(robot);
   double determinant = std::numeric_limits<double>::infinity();
   double depth = 0.0, arm_squared = 0.0;
   for (const LegDynamics& leg : dynamics.legs()) {

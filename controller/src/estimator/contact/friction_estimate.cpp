@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/standing_pose.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -47,18 +49,12 @@ constexpr double kContact = 0.5;
 // Smallest coefficient. With less, the QP could not balance the robot at all.
 constexpr double kMinCoefficient = 0.1;
 
-double standing_height(const Robot& robot) {
-  Dynamics standing(robot);
-  standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
-  return standing.p_world_com().z() - contact_points(standing).row(2).mean();
-}
-
 }  // namespace
 
 FrictionEstimate::FrictionEstimate(const Robot& robot)
     : assumed_(robot.config().friction),
       weight_(robot.mass() * kGravity),
-      height_(standing_height(robot)),
+      height_(standing_com_height(robot)),
       coefficient_(assumed_) {}
 
 void FrictionEstimate::update(const FrictionInput& input, double dt) noexcept {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dynamics/joint_friction.hpp"
+#include "dynamics/standing_pose.hpp"
 #include "estimator/contact/leg_forces.hpp"
 
 namespace surefoot {
@@ -40,10 +41,8 @@ bool same_kind(const RobotConfig& config, int a, int b) {
 JointEstimate::JointEstimate(const Robot& robot)
     : configured_(robot.config().armature),
       max_damping_(robot.config().tau_max.cwiseQuotient(robot.config().no_load_speed)) {
-  Dynamics standing(robot);
-  standing.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
-  const double height = standing.p_world_com().z() - contact_points(standing).row(2).mean();
-  air_speed_ = kAirSpeed * std::sqrt(kGravity * height);
+  const Dynamics standing = standing_dynamics(robot);
+  air_speed_ = kAirSpeed * std::sqrt(kGravity * standing_com_height(robot));
   for (int i = 0; i < kMotors; ++i) {
     first_of_kind_[i] = 0;
     while (!same_kind(robot.config(), i, first_of_kind_[i])) ++first_of_kind_[i];
@@ -124,8 +123,11 @@ void JointEstimate::learn(int index, const Vector12& stops, double dt) noexcept 
 }
 
 void JointEstimate::take_results() noexcept {
+  std::array<Vector3, kMotors> results;
   for (int i = 0; i < kMotors; ++i) {
-    const Vector3 result = regressions_[first_of_kind_[i]].result();
+    const int first = first_of_kind_[i];
+    if (first == i) results[i] = regressions_[i].result();
+    const Vector3& result = results[first];
     armature_error_[i] = std::max(result[0], -configured_[i]);
     // With more friction a swing would take all torque of the motor, so none is compensated.
     damping_[i] = result[1] > max_damping_[i] ? 0.0 : std::max(result[1], 0.0);
