@@ -15,9 +15,9 @@ constexpr double kRateFilterTime = 0.005;
 // velocity noise of a robot at rest. If much larger: slow motion is not counted, although it too
 // causes a position error by wrong leg lengths (gain leg_scale).
 constexpr double kMinTravelSpeed = 0.05;
-// [m/s] When all stance feet are rejected, the square of this value is added to the variance of the
-// velocity. Chosen larger than the velocity error after a blow that saturates the accelerometer.
-// Test: test_estimate_recovers_from_a_saturated_accelerometer.
+// [m/s] When most stance feet are rejected and do not slide, the square of this value is added to
+// the variance of the velocity. Chosen larger than the velocity error after a blow that saturates
+// the accelerometer. Test: test_estimate_recovers_from_a_saturated_accelerometer.
 constexpr double kRecoveryVelocitySigma = 1.0;
 // Contact confidence above which a foot counts as a stance foot for FootNoise and for the recovery
 // from rejected feet. Chosen larger than 0.5, which is reached half-way through contact_dwell, and
@@ -67,15 +67,19 @@ void StateEstimator::Impl::predict(double dt) noexcept {
   alpha_base = (w_base - w_filtered) / kRateFilterTime;
 }
 
+double StateEstimator::Impl::velocity_error() const noexcept {
+  const auto& P = filter.covariance();
+  return kSpeedSigmas * std::sqrt(P(3, 3) + P(4, 4) + P(5, 5));
+}
+
 FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
-  FootContactState out{state.contact, loads, slip.speed(), step_detector.steps(),
-                       filter.rejected_feet()};
+  FootContactState out{state.contact,          loads,
+                       slip.speed(),           step_detector.steps(),
+                       filter.rejected_feet(), friction.at_limit()};
   // Without new values of the IMU, the body moves and not the feet.
   if (!imu_is_fresh()) out.speed.setZero();
   // A wrong velocity of the base makes all contact points seem to move.
-  const auto& P = filter.covariance();
-  const double v_variance = P(3, 3) + P(4, 4) + P(5, 5);
-  out.speed = (out.speed.array() - kSpeedSigmas * std::sqrt(v_variance)).max(0.0);
+  out.speed = (out.speed.array() - velocity_error()).max(0.0);
   if (!torques_valid()) out.load.setOnes();
   return out;
 }
@@ -132,10 +136,10 @@ void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt)
   state.contact = contact.confidence();
   step_detector.update(state.contact, dt);
   const double travelled = v_base.norm() > kMinTravelSpeed ? dt * v_base.norm() : 0.0;
-  friction.update({v_contact, leg_forces.forces(), state.contact, normal, travelled,
-                   step_detector.stepped_lately()},
+  friction.update({v_contact, leg_forces.forces(), state.contact, normal, velocity_error(),
+                   travelled, step_detector.stepped_lately()},
                   dt);
-  state.friction = friction.share() * slip.friction(gains);
+  state.friction = friction.usable_share() * slip.friction(gains);
   learn_joints(v_contact, stops, dt);
   state.armature_error = joints.armature_error();
   // The friction of its joints damps a standing robot, so it is not compensated there.
@@ -168,6 +172,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   feet.normal_variance = sole_load.sink_variance(filter.sole_compliance(), dt);
   feet.load_changes = sole_load.changes();
   feet.steps = step_detector.steps();
+  feet.slides = friction.slides();
   const FeetMatrix rolling_lever =
       (-kRollingShare * normal * sole_sink().transpose()).colwise() + feet.lever;
   filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, rolling_lever, dt));
@@ -183,15 +188,15 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     const bool in_stance = state.contact[leg] > kCertainContact;
     stance[leg] = in_stance;
     stance_count += in_stance;
-    rejected_count += in_stance && filter.rejected_feet()[leg];
+    rejected_count += in_stance && filter.rejected_feet()[leg] && !feet.slides[leg];
   }
   // While the IMU repeats old values, the innovations contain motion that the IMU did not measure.
   // The noise of the feet must not adapt to this motion.
   if (imu_is_fresh()) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
-  // If the gate rejects all stance feet, the prediction is wrong and the feet are right: an impact
-  // has saturated the accelerometer. The variance must grow, or the gate would reject the feet for
-  // ever.
-  if (stance_count >= 2 && rejected_count == stance_count)
+  // If the gate rejects most stance feet and they do not slide, the prediction is wrong and the
+  // feet are right: a blow has saturated the accelerometer, or fell between two of its samples. The
+  // variance must grow, or the gate would reject the feet for ever.
+  if (stance_count >= 2 && 2 * rejected_count > stance_count)
     filter.add_velocity_variance(kRecoveryVelocitySigma * kRecoveryVelocitySigma);
 
   const Vector3 p_base = filter.p() - R * arm;

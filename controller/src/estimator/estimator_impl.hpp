@@ -49,6 +49,8 @@ struct StateEstimator::Impl {
   void reset() noexcept;
 
   FootContactState foot_contact_state() const noexcept;
+  /// Return an upper bound of the velocity error that is nearly always right [m/s].
+  double velocity_error() const noexcept;
   /// Compute the measured classical acceleration [m/s^2] of the base origin, without gravity, base
   /// axes, from the accelerometer minus its estimated bias.
   Vector3 base_acceleration() const noexcept;

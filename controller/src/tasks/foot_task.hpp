@@ -8,11 +8,13 @@ namespace surefoot {
 /// Compute the desired acceleration of each contact point, world axes [m/s^2], one column per foot:
 ///   a = a_ref + kp (p_ref - p) + kd (v_ref - v)
 /// For a stance foot, p_ref is its desired position on the ground, and the feedback stabilises the
-/// contact.
+/// contact. A stance foot without load gets stiffer feedback than the gains, because no friction of
+/// the ground holds it against the friction of its joints.
 /// The QP meets these accelerations exactly, except near a singularity, and its solution includes
 /// the reaction of the legs on the body.
 /// Real-time: yes.
+/// @param loads planned normal force of each foot, as a share of the weight
 FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
-                              const Dynamics& dynamics) noexcept;
+                              const Dynamics& dynamics, const Eigen::Vector4d& loads) noexcept;
 
 }  // namespace surefoot

@@ -37,6 +37,13 @@ constexpr double kMinAlignment = 0.8;
 // Share of the ratio that held, below which sliding contradicts it. Larger than the error of the
 // ratios.
 constexpr double kContradiction = 0.8;
+// Share of a learnt coefficient that no foot uses. Larger than the errors of the torques and of the
+// assumed coefficient's part in the estimate. If smaller: feet go on sliding after the coefficient
+// has been learnt.
+constexpr double kMargin = 0.1;
+// Share of the learnt coefficient from which a foot nears the limit; larger than the error of the
+// ratios.
+constexpr double kNearLimit = 0.8;
 // [sqrt(h/g)] Time after touchdown from which a foot counts: 40 ms at h = 0.3 m. Before, it
 // bounces, and the direction of its force changes faster than LegForces can follow.
 constexpr double kSettlingTime = 0.23;
@@ -63,7 +70,7 @@ void FrictionEstimate::update(const FrictionInput& input, double dt) noexcept {
   sliding_ *= fading;
   held_ *= fading;
   filter_velocities(input, dt);
-  const double common_speed = slowest_loaded_foot(input);
+  const double common_speed = common_error(input.v_error);
   for (int leg = 0; leg < kLegs; ++leg) learn_from_foot(leg, input, common_speed, dt);
   const double estimate =
       assumed_ + (friction_work_ - assumed_ * sliding_) / (sliding_ + kPriorDistance);
@@ -83,14 +90,15 @@ void FrictionEstimate::filter_velocities(const FrictionInput& input, double dt) 
   }
 }
 
-// Return the speed of the slowest loaded foot [m/s], or 0 with fewer than two loaded feet. A speed
-// that all feet have in common may be an error of the base velocity.
-double FrictionEstimate::slowest_loaded_foot(const FrictionInput& input) const noexcept {
-  double slowest = std::numeric_limits<double>::infinity();
+// Return the speed of the slowest foot on the ground [m/s], at most v_error, or 0 with fewer than
+// two feet on the ground: a speed that all feet have in common may be an error of the base
+// velocity. A foot with little load counts too: otherwise two feet that carry the weight and slide
+// together teach nothing.
+double FrictionEstimate::common_error(double v_error) const noexcept {
+  double slowest = v_error;
   int count = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const double load = input.normal.dot(input.forces.col(leg)) / weight_;
-    if (stance_time_[leg] == 0.0 || load <= kMinLoad) continue;
+    if (stance_time_[leg] == 0.0) continue;
     slowest = std::min(slowest, v_filtered_.col(leg).norm());
     ++count;
   }
@@ -103,18 +111,33 @@ void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, doub
   const double f_n = force.dot(input.normal);
   if (stance_time_[leg] <= kSettlingTime * std::sqrt(height_ / kGravity) ||
       f_n <= (input.stepping ? kSteppingMinLoad : kMinLoad) * weight_) {
-    holding_ratio_[leg] = 0.0;
+    holding_ratio_[leg] = at_limit_[leg] = 0.0;
+    slides_[leg] = false;
     return;
   }
   const Vector3 f_t = force - f_n * input.normal;
   const double ratio = f_t.norm() / f_n, speed = v.norm(), unit = std::sqrt(kGravity * height_);
   holding_ratio_[leg] += dt / (dt + kRatioFilterTime) * (ratio - holding_ratio_[leg]);
   if (speed < kHoldingSpeed * unit) held_ = std::max(held_, holding_ratio_[leg]);
+  // The limit is the ratio of the feet that slid, without the part of RobotConfig::friction.
+  const double nearness = sliding_ > 0.0 ? ratio * sliding_ / friction_work_ - kNearLimit : 0.0;
+  at_limit_[leg] = confidence() * std::clamp(nearness / (1.0 - kNearLimit), 0.0, 1.0);
   const double opposed_speed = -v.dot(f_t) / std::max(f_t.norm(), 1e-9);
+  const bool opposed = opposed_speed > kMinAlignment * speed;
+  slides_[leg] = opposed && ratio > kMinCoefficient;
   const double sliding_speed = opposed_speed - common_speed;
   const double least_speed = (input.stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
-  if (sliding_speed > least_speed && opposed_speed > kMinAlignment * speed)
+  if (opposed && sliding_speed > least_speed)
     slide(ratio, f_n / weight_ * sliding_speed * dt / height_);
+}
+
+// Return the part of the estimate that sliding feet have given, 0 .. 1.
+double FrictionEstimate::confidence() const noexcept {
+  return sliding_ / (sliding_ + kPriorDistance);
+}
+
+double FrictionEstimate::usable_share() const noexcept {
+  return (1.0 - kMargin * confidence()) * coefficient_ / assumed_;
 }
 
 void FrictionEstimate::slide(double ratio, double weighted_distance) noexcept {
@@ -131,6 +154,8 @@ void FrictionEstimate::reset() noexcept {
   coefficient_ = assumed_;
   v_filtered_.setZero();
   stance_time_.setZero();
+  slides_.fill(false);
+  at_limit_.setZero();
   holding_ratio_.setZero();
 }
 

@@ -12,6 +12,7 @@ struct FrictionInput {
   const FeetMatrix& forces;        ///< forces of the ground on the feet, world axes [N]
   const Eigen::Vector4d& contact;  ///< contact confidence per foot, 0 .. 1
   const Vector3& normal;           ///< of the ground, world axes
+  double v_error;                  ///< possible error of the velocity of the base [m/s]
   double travelled;                ///< distance that the base moved since the last call [m]
   bool stepping;                   ///< feet step, or stepped lately
 };
@@ -28,10 +29,10 @@ struct FrictionInput {
 /// has lasted long enough to lower the ratio that held. Both memories fade with the distance that
 /// the robot travels, because another place may have another friction.
 ///
-/// The speed of the slowest loaded foot is subtracted, because a speed that all feet have in common
-/// may be an error of the base velocity. Motion of a soft sole while its load changes does not
-/// count: after touchdown, sliding counts only with enough load and speed, and only if the force
-/// opposes it.
+/// The speed of the slowest foot is subtracted, up to the possible error of the base velocity: a
+/// speed that all feet have in common may be such an error. Motion of a soft sole while its load
+/// changes does not count: after touchdown, sliding counts only with enough load and speed, and
+/// only if the force opposes it.
 ///
 /// Source of the ratio of a slipping foot as friction: Focchi et al. 2018, "Slip detection and
 /// recovery for quadruped robots". Real-time: yes.
@@ -44,16 +45,25 @@ class FrictionEstimate {
 
   /// Learnt friction coefficient, 0.1 .. RobotConfig::friction; initially RobotConfig::friction.
   double coefficient() const noexcept { return coefficient_; }
-  /// The same as a share of RobotConfig::friction.
-  double share() const noexcept { return coefficient_ / assumed_; }
+  /// Coefficient that the feet may use, as a share of RobotConfig::friction: the learnt one, less
+  /// the error that an estimate from sliding feet has.
+  double usable_share() const noexcept;
+  /// How near the force of each foot is to the learnt limit of friction, 0 .. 1. It is 0 before a
+  /// foot has slid, because then the limit is not known.
+  const Eigen::Vector4d& at_limit() const noexcept { return at_limit_; }
+  /// Whether each foot may slide: its force is directed against its velocity, as Coulomb's law
+  /// demands. Feet that only seem to move, because the velocity of the base is wrong, have no such
+  /// force.
+  const std::array<bool, kLegs>& slides() const noexcept { return slides_; }
 
   void reset() noexcept;
 
  private:
   void filter_velocities(const FrictionInput& input, double dt) noexcept;
-  double slowest_loaded_foot(const FrictionInput& input) const noexcept;
+  double common_error(double v_error) const noexcept;
   void learn_from_foot(int leg, const FrictionInput& input, double common_speed,
                        double dt) noexcept;
+  double confidence() const noexcept;
   void slide(double ratio, double weighted_distance) noexcept;
 
   double assumed_;  // RobotConfig::friction
@@ -64,7 +74,9 @@ class FrictionEstimate {
   double sliding_ = 0.0;                        // [m g h] the same for a friction coefficient of 1
   double held_ = 0.0;                           // |f_t| / f_n that has held
   FeetMatrix v_filtered_ = FeetMatrix::Zero();  // [m/s] along the ground
-  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();    // [s] since touchdown
+  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();  // [s] since touchdown
+  std::array<bool, kLegs> slides_{};
+  Eigen::Vector4d at_limit_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d holding_ratio_ = Eigen::Vector4d::Zero();  // |f_t| / f_n, low-passed
 };
 

@@ -17,8 +17,8 @@ constexpr double kSettlingTime = 0.03;
 // [s] The same while feet step: a soft sole still slides for 20 to 50 ms, while its
 // load grows; on a b1 for up to 80 ms.
 constexpr double kSteppingSettlingTime = 0.09;
-// [s] Duration of slipping that raises slip() from 0 to 1. Longer than single samples. If larger: a
-// foot slips further; at slip_speed it moves by 3 mm in this time.
+// [s] Duration of slipping at slip_speed that raises slip() from 0 to 1; a foot that slips faster
+// needs less, 3 mm in all. Longer than single samples. If larger: a foot slips further.
 constexpr double kDetectionTime = 0.02;
 // [s] Duration without slipping that lowers slip() from 1 to 0. If smaller: the friction returns
 // within the same push, and the foot slips again. If larger: the friction is still reduced when the
@@ -51,7 +51,8 @@ void SlipDetector::update(const Gains& gains, const FootSlipInput& input, double
     const bool loaded = !input.stepping || input.loads[leg] > kMinLoad;
     const bool is_slipping =
         loaded && stance_time_[leg] > settling_time && excess_slip[leg] > gains.slip_speed;
-    const double step = is_slipping ? dt / kDetectionTime : -dt / kRecoveryTime;
+    const double step = is_slipping ? dt / kDetectionTime * excess_slip[leg] / gains.slip_speed
+                                    : -dt / kRecoveryTime;
     slip_[leg] = std::clamp(slip_[leg] + step, 0.0, 1.0);
   }
 }

@@ -32,6 +32,10 @@ constexpr double kSteppingSlip = 0.01;
 // its velocity. Chosen: soles of a trotting Go1 slide for 20 to 35 ms after touchdown and before
 // lift-off.
 constexpr double kSlidingTime = 0.03;
+// [m/s] Assumed slip speed of a foot whose force is at the learnt limit of friction. Such a foot
+// may slide, and below slip_speed nothing else shows it. Chosen: above slip_speed, so that the IMU
+// alone gives the velocity of a robot whose feet are all at the limit.
+constexpr double kLimitSpeed = 0.5;
 }  // namespace
 
 void FootMotionModel::update_velocity(const Dynamics& dynamics, double dt) noexcept {
@@ -69,9 +73,10 @@ Eigen::Vector4d FootMotionModel::process_variance(const Gains& gains, const Foot
     const double slip_speed = (feet.steps ? kSteppingSlip : gains.noise_foot_slip) +
                               gains.noise_foot_motion * speed + unloaded * kUnloadedSpeed;
     const double sliding_speed = std::max(feet.speed[leg] - gains.slip_speed, 0.0);
+    const double limit_speed = kLimitSpeed * feet.at_friction_limit[leg];
     const double swing_speed = off_ground * off_ground * (kSwingSpeed + kSwingShare * speed);
     out[leg] = dt * (slip_speed * slip_speed * kNoisePeriod +
-                     sliding_speed * sliding_speed * kSlidingTime +
+                     (sliding_speed * sliding_speed + limit_speed * limit_speed) * kSlidingTime +
                      swing_speed * swing_speed * kSwingTime);
   }
   return out;

@@ -11,9 +11,10 @@ struct FootContactState {
   Eigen::Vector4d contact;  ///< contact confidence, 0 .. 1
   /// Load from torques, as a share of the weight; 1 if the torques are invalid.
   Eigen::Vector4d load;
-  Eigen::Vector4d speed;             ///< [m/s] of the contact point on the ground
-  bool steps;                        ///< true: the robot steps, see StepDetector
-  std::array<bool, kLegs> rejected;  ///< true if the innovation gate rejected the foot
+  Eigen::Vector4d speed;              ///< [m/s] of the contact point on the ground
+  bool steps;                         ///< true: the robot steps, see StepDetector
+  std::array<bool, kLegs> rejected;   ///< true if the innovation gate rejected the foot
+  Eigen::Vector4d at_friction_limit;  ///< FrictionEstimate::at_limit(), 0 .. 1
 };
 
 /// Motion of the contact points from tick to tick: the known displacement by rolling of the
@@ -39,8 +40,8 @@ class FootMotionModel {
                                   double dt) noexcept;
 
   /// Compute the process noise of each contact point over dt, as the variance of one coordinate
-  /// [m^2]. The noise is large for feet that are off the ground, slip or were rejected. It is
-  /// larger for feet that carry less load.
+  /// [m^2]. The noise is large for feet that are off the ground, slip, may slip or were rejected.
+  /// It is larger for feet that carry less load.
   Eigen::Vector4d process_variance(const Gains& gains, const FootContactState& feet,
                                    double dt) const noexcept;
 

@@ -209,7 +209,14 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, const FeetInput& f
   rejected_feet_[leg] = !(gate_ratio <= kRejectionRatio * kRejectionRatio);
   if (rejected_feet_[leg]) return;
   if (gate_ratio > 1.0) {
-    S.diagonal().array() += (gate_ratio - 1.0) * S.trace() / 3.0;
+    const double excess = (gate_ratio - 1.0) * S.trace() / 3.0;
+    if (feet.slides[leg]) {
+      // The foot has moved. If its position stayed where it was, it would pull the base along in
+      // every tick in which it slides.
+      P_.add_variance(foot, 3, excess);
+      for (int k = 0; k < 3; ++k) W[k][foot + k] -= excess;
+    }
+    S.diagonal().array() += excess;
     inverse = S.inverse();
   }
   nis_ += nis;

@@ -28,7 +28,8 @@ struct FeetInput {
   Vector3 normal = Vector3::UnitZ();  ///< of the ground, world axes, unit length
   /// Whether the load of a foot changes, so that its motion shows how far its sole yields.
   std::array<bool, kLegs> load_changes{};
-  bool steps = false;  ///< true: the robot steps, see StepDetector
+  bool steps = false;                ///< true: the robot steps, see StepDetector
+  std::array<bool, kLegs> slides{};  ///< FrictionEstimate::slides()
   /// Vector from a contact point of a rigid sole to the centre of its foot, world axes [m].
   Vector3 lever = Vector3::Zero();
 };
@@ -97,9 +98,10 @@ class InvariantFilter {
   void move_feet(const FeetMatrix& displacement) noexcept { feet_ += displacement; }
 
   /// Correct the estimate with the contact points from forward kinematics.
-  /// @param gate limit of a foot's innovation [standard deviations]. Above it, the measurement
-  ///   noise of the foot is increased so that the innovation is about at the limit. Above
-  ///   kRejectionRatio * gate, the foot is rejected
+  /// @param gate limit of a foot's innovation [standard deviations]. Above it, the
+  ///   measurement noise of the foot is increased so that the innovation is about at the limit; the
+  ///   variance of its position instead if the foot slides. Above kRejectionRatio * gate, the foot
+  ///   is rejected
   void correct(const FeetInput& feet, double gate) noexcept;
 
   /// Correct the estimate with the measurement that the velocity of the IMU point is zero.
