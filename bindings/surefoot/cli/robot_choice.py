@@ -74,6 +74,9 @@ def _described(
     given = [name for name, value in files.items() if value is not None]
     if arguments.robot in robots_without_urdf():
         return describe_robot(arguments.robot, urdf=arguments.urdf, config=arguments.config)
+    # --sdk b2 makes b2 the default, and its URDF comes from the user.
+    if arguments.robot is None and given == ["--urdf"] and default in robots_without_urdf():
+        return describe_robot(default, urdf=arguments.urdf)
     if arguments.robot is not None and given:
         raise Error(
             f"got {option} '{arguments.robot}' and {' and '.join(given)}, expected {option} for a "

@@ -107,7 +107,8 @@ def _describe_with_urdf(
         got = "no URDF" if urdf is None else "config="
         raise Error(
             f"robot '{name}': got {got}, expected the name and urdf= (--urdf), because "
-            f"example-robot-data has no URDF of it; take Unitree's {name}_description"
+            f"example-robot-data has no URDF of it; take robots/{name}_description/urdf/"
+            f"{name}_description.urdf of github.com/unitreerobotics/unitree_ros"
         )
     return _describe_files(read_table(_models_folder() / f"{name}.toml"), Path(urdf))
 
