@@ -15,7 +15,7 @@ from surefoot.cli import dds_run, main, run_setup
 from surefoot.cli import run as run_module
 from surefoot.cli.arguments import parse_arguments
 from surefoot.cli.dds_options import default_robot
-from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.robot_choice import chosen_robot, robot_source
 
 ERROR = 2  # exit status after a wrong argument
 BROKEN_LINK = "rt/lowcmd: got 1 other writer(s), expected none"
@@ -233,6 +233,14 @@ def test_urdf_alone_is_that_of_the_robot_that_sdk_names(tmp_path: Path) -> None:
     description = chosen_robot(arguments, default=default_robot(arguments.sdk))
     assert description is not None
     assert (description.name, description.urdf) == ("b2", urdf)
+
+
+@pytest.mark.parametrize("command", ["assess", "tune search"])
+def test_source_of_a_robot_without_urdf_has_the_toml_of_the_package(command: str) -> None:
+    words = [*command.split(), "--robot", "b2", "--urdf", "mine.urdf"]
+    urdf, config = robot_source(parse_arguments(words), default="go1")
+    assert Path(urdf).name == "mine.urdf" and Path(config).name == "b2.toml"
+    assert Path(config).exists()
 
 
 @pytest.mark.parametrize(

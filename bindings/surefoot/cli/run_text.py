@@ -177,7 +177,7 @@ def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
     if where.startswith("rt/"):
         return (
             f"no answer from {where}: check --domain and --interface, and that the robot is on; "
-            "for a simulation use: surefoot robot --sdk go2"
+            f"for a simulation use: surefoot robot --sdk {generation}"
         )
     if where.startswith("127."):
         return f"no answer from {where}; start a virtual robot with surefoot robot"
