@@ -16,6 +16,7 @@ from surefoot.cli import run as run_module
 from surefoot.cli.arguments import parse_arguments
 from surefoot.cli.dds_options import default_robot
 from surefoot.cli.robot_choice import chosen_robot, robot_source
+from surefoot.cli.run_text import slow_simulator_text
 
 ERROR = 2  # exit status after a wrong argument
 BROKEN_LINK = "rt/lowcmd: got 1 other writer(s), expected none"
@@ -257,3 +258,10 @@ def test_missing_urdf_is_told_in_one_line(
     assert main(words) == ERROR
     error = capsys.readouterr().err
     assert text in error and error.count("\n") == 1
+
+
+def test_fault_of_time_with_the_tick_from_arrival_is_explained() -> None:
+    slow = {"stood_to_end": False, "faults": {"clock": 1}}
+    assert "does not run in real time" in slow_simulator_text(slow)
+    assert slow_simulator_text({"stood_to_end": True, "faults": {"clock": 1}}) == ""
+    assert slow_simulator_text({"stood_to_end": False, "faults": {"fall": 1}}) == ""

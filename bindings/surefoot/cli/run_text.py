@@ -15,6 +15,7 @@ _GROUND_STAGE_TEXT = {
     RiseStage.WEIGH: "weighing the legs",
     RiseStage.PRESS: "pressing with the rear legs",
 }
+_FAULTS_OF_TIME = {"clock", "frozen", "link", "stale_tick"}  # a slow simulator causes them
 MOTOR_NAMES = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
 
@@ -155,6 +156,16 @@ def closing_text(result: dict[str, Any]) -> str:
         f"p99, {us['tick_p999']:.0f} p99.9, {us['tick_max']:.0f} max; woken {us['wake_p50']:.0f} "
         f"us late, {us['wake_p99']:.0f} p99, {us['wake_max']:.0f} max\n"
         f"  {result['real_time']}"
+    )
+
+
+def slow_simulator_text(result: dict[str, Any]) -> str:
+    """Return a hint if a run with the tick from arrival ended by a fault of time, else ""."""
+    if result["stood_to_end"] or not _FAULTS_OF_TIME & set(result["faults"]):
+        return ""
+    return (
+        "--tick arrival takes the time from this computer: the faults above may mean that the "
+        "simulator stalls or does not run in real time"
     )
 
 
