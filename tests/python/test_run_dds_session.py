@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,6 +14,9 @@ from surefoot import Mode
 from surefoot.cli import dds_run, main, run_setup
 from surefoot.cli import run as run_module
 from surefoot.cli.arguments import parse_arguments
+from surefoot.cli.dds_options import default_robot
+from surefoot.cli.robot_choice import chosen_robot, robot_source
+from surefoot.cli.run_text import slow_simulator_text
 
 ERROR = 2  # exit status after a wrong argument
 BROKEN_LINK = "rt/lowcmd: got 1 other writer(s), expected none"
@@ -221,3 +225,43 @@ def test_other_robot_is_accepted_in_a_simulation() -> None:
     setup = run_setup.read_setup(arguments)
     assert setup.robot.name == "go1" and setup.generation == "go2"
     assert math.isinf(setup.options.duration)
+
+
+def test_urdf_alone_is_that_of_the_robot_that_sdk_names(tmp_path: Path) -> None:
+    urdf = tmp_path / "mine.urdf"
+    urdf.write_text("<robot name='b2'/>")
+    arguments = parse_arguments(["run", "--sdk", "b2", "--urdf", str(urdf)])
+    description = chosen_robot(arguments, default=default_robot(arguments.sdk))
+    assert description is not None
+    assert (description.name, description.urdf) == ("b2", urdf)
+
+
+@pytest.mark.parametrize("command", ["assess", "tune search"])
+def test_source_of_a_robot_without_urdf_has_the_toml_of_the_package(command: str) -> None:
+    words = [*command.split(), "--robot", "b2", "--urdf", "mine.urdf"]
+    urdf, config = robot_source(parse_arguments(words), default="go1")
+    assert Path(urdf).name == "mine.urdf" and Path(config).name == "b2.toml"
+    assert Path(config).exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["run", "--sdk", "b2"], "expected the name and urdf= (--urdf)"),
+        (["run", "--sdk", "go2", "--urdf", "mine.urdf"], "got --urdf alone"),
+        (["robots", "--mjcf", "scene.xml", "--robot", "b2"], "expected --check FILE.urdf too"),
+    ],
+)
+def test_missing_urdf_is_told_in_one_line(
+    words: list[str], text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == ERROR
+    error = capsys.readouterr().err
+    assert text in error and error.count("\n") == 1
+
+
+def test_fault_of_time_with_the_tick_from_arrival_is_explained() -> None:
+    slow = {"stood_to_end": False, "faults": {"clock": 1}}
+    assert "does not run in real time" in slow_simulator_text(slow)
+    assert slow_simulator_text({"stood_to_end": True, "faults": {"clock": 1}}) == ""
+    assert slow_simulator_text({"stood_to_end": False, "faults": {"fall": 1}}) == ""

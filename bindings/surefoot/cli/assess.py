@@ -23,6 +23,7 @@ from surefoot.cli.robot_choice import (
     add_robot_options,
     chosen_robot,
     print_mapping,
+    robot_source,
 )
 from surefoot.robot.gain_files import gain_values, load_gains
 from surefoot.robot.loading import build_robot
@@ -134,9 +135,7 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # not None, because a default robot is given
     print_mapping(description)
-    robot: str | tuple[str, str] = arguments.robot or "go1"
-    if arguments.urdf is not None:
-        robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))
+    robot = robot_source(arguments, default="go1")
     gains: dict[str, float] = {}
     if arguments.gains is not None:
         if arguments.controller != "surefoot":

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 
 from surefoot._core import Error
-from surefoot.robot.description import RobotDescription, describe_robot, robots_without_urdf
+from surefoot.robot.description import (
+    RobotDescription,
+    describe_robot,
+    robots_without_urdf,
+    settings_file,
+)
 
 
 def add_robot_options(parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str) -> None:
@@ -74,6 +80,9 @@ def _described(
     given = [name for name, value in files.items() if value is not None]
     if arguments.robot in robots_without_urdf():
         return describe_robot(arguments.robot, urdf=arguments.urdf, config=arguments.config)
+    # --sdk b2 makes b2 the default, and its URDF comes from the user.
+    if arguments.robot is None and given == ["--urdf"] and default in robots_without_urdf():
+        return describe_robot(default, urdf=arguments.urdf)
     if arguments.robot is not None and given:
         raise Error(
             f"got {option} '{arguments.robot}' and {' and '.join(given)}, expected {option} for a "
@@ -85,3 +94,16 @@ def _described(
     if name is None and not given:
         return None
     return describe_robot(name, urdf=arguments.urdf, config=arguments.config)
+
+
+def robot_source(arguments: argparse.Namespace, default: str) -> str | tuple[str, str]:
+    """Return the chosen robot for another process: its name, or the paths of its URDF and TOML.
+
+    Args:
+        arguments: Arguments that chosen_robot() has accepted.
+        default: Name of the robot if none is chosen.
+    """
+    if arguments.urdf is None:
+        return str(arguments.robot or default)
+    config = arguments.config or settings_file(arguments.robot)
+    return str(Path(arguments.urdf).resolve()), str(Path(config).resolve())

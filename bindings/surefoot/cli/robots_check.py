@@ -42,6 +42,11 @@ def robots(arguments: argparse.Namespace) -> None:
         Error: A wrong argument, or the robot or the MJCF cannot be loaded.
     """
     if arguments.check is None and arguments.mjcf is not None:
+        if arguments.robot in robots_without_urdf():
+            raise Error(
+                f"--robot: got {arguments.robot} with --mjcf alone, expected --check FILE.urdf "
+                "too, because the package has no URDF of it"
+            )
         _print_mapping(arguments, describe_robot(arguments.robot or "go1"))
         return
     if arguments.check is None:

@@ -15,7 +15,13 @@ from surefoot.cli.run_log import check_log, write_run_log
 from surefoot.cli.run_monitor import supervise
 from surefoot.cli.run_operator import key_help
 from surefoot.cli.run_setup import DEFAULT_HOST, DEFAULT_PORT, RunSetup, read_setup
-from surefoot.cli.run_text import closing_text, lying_text, no_robot_text, run_summary
+from surefoot.cli.run_text import (
+    closing_text,
+    lying_text,
+    no_robot_text,
+    run_summary,
+    slow_simulator_text,
+)
 from surefoot.system.terminal import LinePrinter
 
 ENDED_DAMPED = 3  # exit status if the robot did not stand until the requested end
@@ -71,6 +77,8 @@ def _control(
     result = run_summary(end, setup.robot, generation, runner.real_time)
     write_json(arguments.json, result)
     print_line(closing_text(result))
+    if arguments.tick == "arrival" and (hint := slow_simulator_text(result)):
+        print_line(hint)
     if arguments.log is not None:
         _write_log(arguments.log, runner.log(), print_line)
     if session:

@@ -15,6 +15,7 @@ _GROUND_STAGE_TEXT = {
     RiseStage.WEIGH: "weighing the legs",
     RiseStage.PRESS: "pressing with the rear legs",
 }
+_FAULTS_OF_TIME = {"clock", "frozen", "link", "stale_tick"}  # a slow simulator causes them
 MOTOR_NAMES = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
 
@@ -158,6 +159,16 @@ def closing_text(result: dict[str, Any]) -> str:
     )
 
 
+def slow_simulator_text(result: dict[str, Any]) -> str:
+    """Return a hint if a run with the tick from arrival ended by a fault of time, else ""."""
+    if result["stood_to_end"] or not _FAULTS_OF_TIME & set(result["faults"]):
+        return ""
+    return (
+        "--tick arrival takes the time from this computer: the faults above may mean that the "
+        "simulator stalls or does not run in real time"
+    )
+
+
 def lying_text(end: RunSnapshot) -> str:
     """Return the reason why a lying robot was not taken over, as text for the operator."""
     return (
@@ -177,7 +188,7 @@ def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
     if where.startswith("rt/"):
         return (
             f"no answer from {where}: check --domain and --interface, and that the robot is on; "
-            "for a simulation use: surefoot robot --sdk go2"
+            f"for a simulation use: surefoot robot --sdk {generation}"
         )
     if where.startswith("127."):
         return f"no answer from {where}; start a virtual robot with surefoot robot"

@@ -20,7 +20,7 @@ from surefoot.cli.output_files import (
     check_report_folder,
     write_json,
 )
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot, robot_source
 from surefoot.robot.gain_files import load_gains, save_gains
 from surefoot.robot.loading import build_robot
 
@@ -133,9 +133,7 @@ def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
     from surefoot.tune.search.space import parse_parameter
 
     start = own if arguments.start is None else load_gains(arguments.start, own)
-    robot: str | tuple[str, str] = arguments.robot or "go1"
-    if arguments.urdf is not None:
-        robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))
+    robot = robot_source(arguments, default="go1")
     return SearchSettings(
         robot,
         start,

@@ -53,6 +53,11 @@ def robots_without_urdf() -> list[str]:
     return list(_WITHOUT_URDF)
 
 
+def settings_file(name: str) -> Path:
+    """Return the TOML that the package has for a robot: one of the names of the functions above."""
+    return _models_folder() / f"{name}.toml"
+
+
 def describe_robot(
     name: str | None = None, *, urdf: str | Path | None = None, config: str | Path | None = None
 ) -> RobotDescription:
@@ -107,9 +112,10 @@ def _describe_with_urdf(
         got = "no URDF" if urdf is None else "config="
         raise Error(
             f"robot '{name}': got {got}, expected the name and urdf= (--urdf), because "
-            f"example-robot-data has no URDF of it; take Unitree's {name}_description"
+            f"example-robot-data has no URDF of it; take robots/{name}_description/urdf/"
+            f"{name}_description.urdf of github.com/unitreerobotics/unitree_ros"
         )
-    return _describe_files(read_table(_models_folder() / f"{name}.toml"), Path(urdf))
+    return _describe_files(read_table(settings_file(name)), Path(urdf))
 
 
 def _describe_by_name(name: str) -> RobotDescription:
@@ -118,7 +124,7 @@ def _describe_by_name(name: str) -> RobotDescription:
             f"unknown robot: got '{name}'{suggest(name, available_robots())}; "
             f"valid names: {', '.join(available_robots())}"
         )
-    table = read_table(_models_folder() / f"{name}.toml")
+    table = read_table(settings_file(name))
     root = _robot_data_folder()
     robot = table["robot"]
     return RobotDescription(

@@ -113,6 +113,16 @@ BOOST_AUTO_TEST_CASE(command_of_another_robot_damps_the_motors) {
   BOOST_TEST(read.motorCmd[0].mode == kModeDamping);
 }
 
+BOOST_AUTO_TEST_CASE(virtual_b2_obeys_the_motor_mode_of_the_vendors_python_example) {
+  for (const std::uint8_t mode : {std::uint8_t{0x01}, std::uint8_t{0x02}}) {
+    DdsLowCmd cmd = vendor_init_command(mode);
+    cmd.crc = wire_crc(cmd);
+    LowCmd read;
+    BOOST_REQUIRE(is_usable(from_dds(cmd, DdsRobot::kB2, CrcRule::kRequired, read).status));
+    BOOST_TEST(read.motorCmd[0].mode == (mode == 0x01 ? kModeServo : kModeDamping));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(state_survives_the_way_there_and_back) {
   const LowState sent = some_state();
   for (const DdsRobot robot : {DdsRobot::kGo2, DdsRobot::kB2}) {

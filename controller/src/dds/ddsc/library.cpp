@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kRemedy =
     "install it with pip install 'surefoot[dds]' (no wheel for aarch64: apt install "
-    "libddsc0debian, or ROS), or name its file";
+    "libddsc0debian, or ROS), or name its file with --libddsc (library=)";
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kFlags = RTLD_NOW | RTLD_LOCAL;  // sanitizers refuse RTLD_DEEPBIND

@@ -75,7 +75,7 @@ FrameReport from_dds(const DdsLowCmd& wire, DdsRobot robot, CrcRule crc, LowCmd&
   for (int i = 0; i < kMotorSlots; ++i) {
     const DdsMotorCmd& from = wire.motor_cmd[i];
     MotorCmd& to = cmd.motorCmd[i];
-    to.mode = from.mode == servo_mode(robot) ? kModeServo : kModeDamping;
+    to.mode = is_servo_command(robot, from.mode) ? kModeServo : kModeDamping;
     to.q = from.q;
     to.dq = from.dq;
     to.tau = from.tau;

@@ -18,8 +18,8 @@ FrameReport to_dds(const LowCmd& cmd, DdsRobot robot, double damping_kd, DdsLowC
 
 /// Convert a command from the DDS type, as a robot reads it. Real-time: yes.
 ///
-/// Motors in the servo mode of the robot get kModeServo, all others kModeDamping. The result is
-/// kBlank, kWrongCrc or kNotFinite if the command is refused; `out` then keeps its old value.
+/// Motors for which is_servo_command() is true get kModeServo, all others kModeDamping. The result
+/// is kBlank, kWrongCrc or kNotFinite if the command is refused; `out` then keeps its old value.
 FrameReport from_dds(const DdsLowCmd& wire, DdsRobot robot, CrcRule crc, LowCmd& out) noexcept;
 
 }  // namespace surefoot
