@@ -121,6 +121,7 @@ def test_robot_that_sat_down_is_armed_only_after_checks() -> None:
 def test_robot_armed_at_low_height_does_not_rise_before_sitting_down(robot: str) -> None:
     scene = Scene(robot)
     scene.run(1.0)
+    standing = scene.plant.truth.q[2]
     scene.supervisor.stop()
     scene.run(4.0)
     assert scene.supervisor.arm() == RequestStatus.ACCEPTED
@@ -133,4 +134,4 @@ def test_robot_armed_at_low_height_does_not_rise_before_sitting_down(robot: str)
         scene.run(0.2)
         highest = max(highest, scene.plant.truth.q[2])
     assert scene.supervisor.mode == Mode.PASSIVE
-    assert highest < before + 0.01
+    assert highest < before + 0.035 * standing

@@ -22,7 +22,7 @@ constexpr double kLargestExtra = 50.0;
 }  // namespace
 
 FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
-                              const Dynamics& dynamics, const Eigen::Vector4d& loads) noexcept {
+                              const Dynamics& dynamics, const Eigen::Vector4d& unloaded) noexcept {
   const double extra_kp = std::max(kUnloadedKp - gains.foot_kp, 0.0);
   const double extra_kd = std::max(kUnloadedKd - gains.foot_kd, 0.0);
   FeetMatrix a;
@@ -32,11 +32,16 @@ FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
     const Vector3 v_error = foot.v_world - dynamics.legs()[leg].v_world_contact;
     a.col(leg) = foot.a_world + gains.foot_kp * p_error + gains.foot_kd * v_error;
     if (!foot.stance) continue;
-    const double unloaded = 1.0 - std::clamp(loads[leg] / kLoaded, 0.0, 1.0);
     const Vector3 extra = extra_kp * p_error + extra_kd * v_error;
-    a.col(leg) += unloaded * std::min(1.0, kLargestExtra / (extra.norm() + 1e-9)) * extra;
+    a.col(leg) += unloaded[leg] * std::min(1.0, kLargestExtra / (extra.norm() + 1e-9)) * extra;
   }
   return a;
+}
+
+Eigen::Vector4d unloaded_shares(const Eigen::Vector4d& loads,
+                                const Eigen::Vector4d& contact) noexcept {
+  const auto missing = (1.0 - loads.array() / kLoaded).min(1.0);
+  return missing.min(contact.array()).max(0.0);
 }
 
 }  // namespace surefoot

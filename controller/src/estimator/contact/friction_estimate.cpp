@@ -125,6 +125,11 @@ void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, doub
   const double opposed_speed = -v.dot(f_t) / std::max(f_t.norm(), 1e-9);
   const bool opposed = opposed_speed > kMinAlignment * speed;
   slides_[leg] = opposed && ratio > kMinCoefficient;
+  // While feet step, an unknown friction of the joints makes these forces too large.
+  if (input.stepping) {
+    slides_[leg] = false;
+    at_limit_[leg] = 0.0;
+  }
   const double sliding_speed = opposed_speed - common_speed;
   const double least_speed = (input.stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
   if (opposed && sliding_speed > least_speed)

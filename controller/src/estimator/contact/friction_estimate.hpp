@@ -49,11 +49,11 @@ class FrictionEstimate {
   /// the error that an estimate from sliding feet has.
   double usable_share() const noexcept;
   /// How near the force of each foot is to the learnt limit of friction, 0 .. 1. It is 0 before a
-  /// foot has slid, because then the limit is not known.
+  /// foot has slid, because then the limit is not known, and while feet step.
   const Eigen::Vector4d& at_limit() const noexcept { return at_limit_; }
   /// Whether each foot may slide: its force is directed against its velocity, as Coulomb's law
   /// demands. Feet that only seem to move, because the velocity of the base is wrong, have no such
-  /// force.
+  /// force. False while feet step.
   const std::array<bool, kLegs>& slides() const noexcept { return slides_; }
 
   void reset() noexcept;
