@@ -59,9 +59,23 @@ def known_solution_sequence() -> tuple[QpSequence, np.ndarray]:
     return QpSequence(meta, ticks, H=H, g=g, A=A, b=Ax, C=C, l=low, u=high), x
 
 
+@pytest.fixture(scope="module", autouse=True)
+def unoptimised():
+    """Compile without optimisation, because no test compares times."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CMAKE_BUILD_TYPE", "None")
+        yield
+
+
 @pytest.fixture(scope="module")
-def builder(tmp_path_factory):
-    return SolverBuilder(tmp_path_factory.mktemp("peers"))
+def build_folder(tmp_path_factory):
+    """One folder, so that the harness and Surefoot's adapter are compiled once."""
+    return tmp_path_factory.mktemp("solvers")
+
+
+@pytest.fixture(scope="module")
+def builder(build_folder):
+    return SolverBuilder(build_folder)
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
@@ -86,10 +100,11 @@ def test_installed_solvers_solve_a_qp_with_known_solution(builder, tmp_path, sol
 
 
 @pytest.fixture(scope="module")
-def result(tmp_path_factory):
-    build = tmp_path_factory.mktemp("solvers")
+def result(build_folder):
     files = [ADAPTERS / f"{name}.cpp" for name in TEST_ADAPTERS]
-    return run_solvers([box_sequence()], [*TEST_ADAPTERS, "surefoot"], folder=build, extra=files)
+    return run_solvers(
+        [box_sequence()], [*TEST_ADAPTERS, "surefoot"], folder=build_folder, extra=files
+    )
 
 
 @pytest.fixture
@@ -144,12 +159,12 @@ def test_an_unknown_solver_is_refused():
         run_solvers([], ["gurobi"])
 
 
-def test_missing_solver_error_names_the_install_command(monkeypatch, tmp_path):
+def test_missing_solver_error_names_the_install_command(monkeypatch, tmp_path, build_folder):
     monkeypatch.setenv("SUREFOOT_PEERS", str(tmp_path))
     monkeypatch.setattr(
         "surefoot.bench.solvers.solver_paths.package_folders", lambda: iter([tmp_path])
     )
-    result = run_solvers([box_sequence()], ["daqp"], folder=tmp_path / "build")
+    result = run_solvers([box_sequence()], ["daqp"], folder=build_folder)
     entry = result["sequences"]["none-hand-made"]["solvers"]["daqp"]
     assert "pip install casadi" in entry["reason"] and entry["warm"] is None
     assert "daqp: not installed" in solvers_text(result)

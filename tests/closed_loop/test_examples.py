@@ -61,7 +61,7 @@ languages = pytest.mark.parametrize("language", ["python", "cpp"])
 def test_position_example_reaches_the_pose_and_swings_the_calf(
     language: str, tmp_path: Path
 ) -> None:
-    status, said, log, record = run_example("example_position", language, tmp_path, 5.0, "--hung")
+    status, said, log, record = run_example("example_position", language, tmp_path, 4.0, "--hung")
     assert status == 0, said
     assert record["rejected"] == {}
     # The target moves to the pose in small steps.
@@ -70,7 +70,7 @@ def test_position_example_reaches_the_pose_and_swings_the_calf(
     assert steps.max() < 0.05
     # With 5 N.m/rad, the leg's weight and friction leave a position error.
     assert np.abs(log["q"][(log["time"] > 0.7) & (log["time"] < 0.78), 1] - 1.2).max() < 0.25
-    late = (log["time"] > 1.0) & (log["time"] < 4.9)
+    late = (log["time"] > 1.0) & (log["time"] < 3.9)
     target, calf = log["command_q"][late, 2], log["q"][late, 2]
     assert target.min() == pytest.approx(-2.6, abs=0.01)
     assert target.max() == pytest.approx(-1.4, abs=0.01)
@@ -92,9 +92,9 @@ def test_torque_example_brings_the_thigh_to_zero_within_5_nm(language: str, tmp_
 
 @languages
 def test_velocity_example_follows_a_sine(language: str, tmp_path: Path) -> None:
-    status, said, log, _ = run_example("example_velocity", language, tmp_path, 6.0, "--hung")
+    status, said, log, _ = run_example("example_velocity", language, tmp_path, 4.0, "--hung")
     assert status == 0, said
-    on = (log["time"] > 1.2) & (log["time"] < 5.9)
+    on = (log["time"] > 1.2) & (log["time"] < 3.9)
     wanted, dq = log["command_dq"][on, 1], log["dq"][on, 1]
     assert wanted.max() == pytest.approx(2.0, abs=0.02)
     assert np.corrcoef(wanted, dq)[0, 1] > 0.9
@@ -138,7 +138,7 @@ def test_example_ends_with_a_damping_command(language: str, name: str, ending: s
     words = command(name, language)
     # With a silent robot a Runner keeps damping; the other examples end.
     stays = "stand" in words[0] and ending != "Ctrl-C"
-    seconds = "5" if stays else "30"
+    seconds = "3" if stays else "30"
     robot, port = start_robot(*hung)
     example = subprocess.Popen(
         [*words, "--port", str(port), "--duration", seconds],

@@ -56,11 +56,11 @@ class Terminal:
         self.press("a\n")
         self.shows("ready, armed")
 
-    def stand(self) -> None:
-        """Arm the robot, let it rise, and wait until its torques have faded in."""
+    def begin_rise(self) -> None:
+        """Arm the robot and let it rise until its legs fold."""
         self.arm()
         self.press("u\n")
-        self.shows(" standing")
+        self.shows(" rising")
         time.sleep(0.5)
 
     def status(self) -> int:
@@ -117,7 +117,7 @@ def test_operator_keys_arm_rise_and_sit_the_robot() -> None:
 def test_any_line_containing_x_damps(typed: str) -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
-        terminal.stand()
+        terminal.begin_rise()
         terminal.press(typed)
         terminal.shows(" damping: asked")
         terminal.press("\x03")
@@ -128,18 +128,18 @@ def test_any_line_containing_x_damps(typed: str) -> None:
 def test_ctrl_backslash_exits_with_status_3() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
-        terminal.stand()
+        terminal.begin_rise()
         terminal.press("\x1c")
         terminal.shows("robot did not stand to the end")
         assert terminal.status() == 3
 
 
-def test_hung_terminal_sits_the_robot_down_and_its_keys_are_ignored() -> None:
+def test_hung_terminal_ends_the_rise_and_its_keys_are_ignored() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
-        terminal.stand()
+        terminal.begin_rise()
         terminal.press("\x13")  # Ctrl-S: the terminal accepts no more output
-        time.sleep(4.0)
+        time.sleep(3.5)  # longer than the operator timeout and the pause before the next output
         terminal.press("u\n")
         time.sleep(0.5)
         terminal.press("\x11")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from surefoot import Button, Gait, Mode, RequestStatus, WalkVelocity
+from surefoot import Button, Gait, Mode, RequestStatus, Start, WalkVelocity
 from surefoot.virtual_robot import RemoteEvent
 from udp_robot_helpers import UdpLinkedRobot
 
@@ -18,11 +18,9 @@ POWER_LEVEL = 5  # carries 1.3 m/s; level 1 carries no walk
 
 @pytest.fixture
 def linked() -> Iterator[UdpLinkedRobot]:
-    """A robot on UDP that has risen and stands; it must not fall."""
-    with UdpLinkedRobot(power_level=POWER_LEVEL) as linked:
-        linked.arm()
-        assert linked.request(Mode.RISE) == RequestStatus.ACCEPTED
-        assert linked.reaches("standing"), linked.snapshot.damping_fault
+    """A robot on UDP that stands; it must not fall."""
+    with UdpLinkedRobot(power_level=POWER_LEVEL, start=Start.STANDING) as linked:
+        assert linked.reaches("standing", 2.0), linked.snapshot.damping_fault
         linked.run(0.5)
         yield linked
     assert linked.robot.fell_at is None

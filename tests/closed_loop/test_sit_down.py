@@ -62,8 +62,13 @@ def battery_low(scene: Scene) -> None:
     scene.battery = 1
 
 
-@pytest.mark.parametrize("trigger", [sit_requested, operator_silent, battery_low])
-@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+@pytest.mark.parametrize(
+    ("robot", "trigger"),
+    [
+        *(("a1", sit_requested), ("go1", sit_requested), ("go2", sit_requested)),
+        *(("b1", sit_requested), ("go1", operator_silent), ("b1", battery_low)),
+    ],
+)
 def test_robot_sits_down_slowly(robot: str, trigger: Callable[[Scene], None]) -> None:
     scene = Scene(robot)
     assert set(scene.run(1.0)) == {Mode.STAND}

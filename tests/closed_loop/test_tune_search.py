@@ -17,6 +17,7 @@ from pathlib import Path
 import optuna
 import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
+from surefoot.cli import main
 from surefoot.robot.gain_files import gain_values
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.final_evaluation import select_best_trial
@@ -43,6 +44,14 @@ SHORT_SEARCH = ("--trials", "6", "--episodes", "1", "--held-out", "1", "--jobs",
 
 def search(*words: str, **more) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command(*words), capture_output=True, text=True, timeout=240, **more)
+
+
+def refusal(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    """Return the error line of a search that is refused; it runs in this process."""
+    assert main(["tune", "search", *words]) == 2
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1
+    return error
 
 
 def command(*words: str) -> list[str]:
@@ -166,13 +175,13 @@ def test_killed_search_resumes_with_all_its_trials(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("content", ["no journal\n", "{}\n", "[1, 2]\n", "garbage without an end"])
-def test_corrupt_store_is_refused_and_unchanged(tmp_path: Path, content: str) -> None:
+def test_corrupt_store_is_refused_and_unchanged(
+    tmp_path: Path, content: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     store = tmp_path / "trials.log"
     store.write_text(content)
-    run = search(*SHORT_SEARCH, "--store", str(store))
-    assert run.returncode == 2
-    assert run.stderr.count("\n") == 1
-    assert f"store '{store}': line 1 is not a journal entry" in run.stderr
+    error = refusal(capsys, *SHORT_SEARCH, "--store", str(store))
+    assert f"store '{store}': line 1 is not a journal entry" in error
     assert store.read_text() == content
     assert list(tmp_path.iterdir()) == [store]
 
@@ -232,11 +241,10 @@ def test_missing_scheduler_is_named(monkeypatch) -> None:
         (("--store", "/no/such/folder/x"), "--store: got '/no/such/folder/x'"),
     ],
 )
-def test_invalid_search_option_gives_one_error_line(words: tuple[str, ...], message: str) -> None:
-    run = search(*SHORT_SEARCH, *words)
-    assert run.returncode == 2
-    assert run.stderr.count("\n") == 1
-    assert message in run.stderr
+def test_invalid_search_option_gives_one_error_line(
+    words: tuple[str, ...], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert message in refusal(capsys, *SHORT_SEARCH, *words)
 
 
 class FakeWorkerPool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A lying virtual robot, stepped by the test, and a Runner, linked by UDP."""
+"""A virtual robot, stepped by the test, and a Runner, linked by UDP."""
 
 from __future__ import annotations
 
@@ -29,6 +29,8 @@ class InterruptiblePort(UdpPort):
 class UdpLinkedRobot:
     """A virtual robot and its Runner; a context manager that stops the runner.
 
+    The robot lies, or stands with the option start=Start.STANDING.
+
     Attributes:
         runner: Runner, in its own thread.
         robot: Virtual robot; cycle() advances it by 1 ms in real time.
@@ -38,7 +40,8 @@ class UdpLinkedRobot:
     def __init__(self, name: str = "go1", host: str = "127.0.0.1", **options: object) -> None:
         options = {"power_level": power_level(name), "start": Start.LYING, **options}
         self.port = InterruptiblePort(host, 0)
-        settings = VirtualRobotSettings(robot=name, lying=True, seed=SEEDS[name])
+        lying = options["start"] == Start.LYING
+        settings = VirtualRobotSettings(robot=name, lying=lying, seed=SEEDS[name])
         self.robot = VirtualRobot(settings, self.port)
         self.runner = Runner(
             self.robot.plant.robot,
