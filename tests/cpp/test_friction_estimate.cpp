@@ -115,6 +115,16 @@ BOOST_FIXTURE_TEST_CASE(slow_feet_with_little_load_show_that_the_loaded_feet_sli
   BOOST_TEST(run(0.05) < 0.35);
 }
 
+BOOST_FIXTURE_TEST_CASE(faded_memory_of_a_slide_is_no_limit, FrictionFixture) {
+  slide(0.3, 0.5, 0.1);
+  hold(0.3, 0.002);
+  BOOST_TEST(friction.at_limit()[FL_] > 0.9);
+  travelled = 1.0;  // in each tick: 4 km in all, where the memories underflow
+  hold(0.3, 8.0);
+  BOOST_TEST(friction.at_limit()[FL_] == 0.0);
+  BOOST_TEST(friction.coefficient() == assumed());
+}
+
 BOOST_FIXTURE_TEST_CASE(only_a_foot_whose_force_opposes_its_motion_slides, FrictionFixture) {
   slide(0.2, 0.5, 0.1);
   BOOST_TEST(friction.slides()[FL_]);

@@ -44,6 +44,8 @@ constexpr double kMargin = 0.1;
 // Share of the learnt coefficient from which a foot nears the limit; larger than the error of the
 // ratios.
 constexpr double kNearLimit = 0.8;
+// Confidence from which the limit counts as known. Chosen; it excludes memories that have faded.
+constexpr double kMinConfidence = 0.01;
 // [sqrt(h/g)] Time after touchdown from which a foot counts: 40 ms at h = 0.3 m. Before, it
 // bounces, and the direction of its force changes faster than LegForces can follow.
 constexpr double kSettlingTime = 0.23;
@@ -119,21 +121,23 @@ void FrictionEstimate::learn_from_foot(int leg, const FrictionInput& input, doub
   const double ratio = f_t.norm() / f_n, speed = v.norm(), unit = std::sqrt(kGravity * height_);
   holding_ratio_[leg] += dt / (dt + kRatioFilterTime) * (ratio - holding_ratio_[leg]);
   if (speed < kHoldingSpeed * unit) held_ = std::max(held_, holding_ratio_[leg]);
-  // The limit is the ratio of the feet that slid, without the part of RobotConfig::friction.
-  const double nearness = sliding_ > 0.0 ? ratio * sliding_ / friction_work_ - kNearLimit : 0.0;
-  at_limit_[leg] = confidence() * std::clamp(nearness / (1.0 - kNearLimit), 0.0, 1.0);
   const double opposed_speed = -v.dot(f_t) / std::max(f_t.norm(), 1e-9);
   const bool opposed = opposed_speed > kMinAlignment * speed;
-  slides_[leg] = opposed && ratio > kMinCoefficient;
   // While feet step, an unknown friction of the joints makes these forces too large.
-  if (input.stepping) {
-    slides_[leg] = false;
-    at_limit_[leg] = 0.0;
-  }
+  slides_[leg] = !input.stepping && opposed && ratio > kMinCoefficient;
+  at_limit_[leg] = input.stepping ? 0.0 : limit_share(ratio);
   const double sliding_speed = opposed_speed - common_speed;
   const double least_speed = (input.stepping ? kSteppingSlidingSpeed : kSlidingSpeed) * unit;
   if (opposed && sliding_speed > least_speed)
     slide(ratio, f_n / weight_ * sliding_speed * dt / height_);
+}
+
+// Return how near a ratio is to the limit, 0 .. 1: the ratio of the feet that slid, without the
+// part of RobotConfig::friction in the estimate.
+double FrictionEstimate::limit_share(double ratio) const noexcept {
+  if (confidence() < kMinConfidence) return 0.0;
+  const double nearness = ratio * sliding_ / std::max(friction_work_, 1e-9) - kNearLimit;
+  return confidence() * std::clamp(nearness / (1.0 - kNearLimit), 0.0, 1.0);
 }
 
 // Return the part of the estimate that sliding feet have given, 0 .. 1.

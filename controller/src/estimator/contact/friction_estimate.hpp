@@ -63,6 +63,7 @@ class FrictionEstimate {
   double common_error(double v_error) const noexcept;
   void learn_from_foot(int leg, const FrictionInput& input, double common_speed,
                        double dt) noexcept;
+  double limit_share(double ratio) const noexcept;
   double confidence() const noexcept;
   void slide(double ratio, double weighted_distance) noexcept;
 
