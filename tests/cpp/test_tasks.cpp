@@ -103,31 +103,10 @@ BOOST_FIXTURE_TEST_CASE(foot_feedback_uses_foot_kp_and_foot_kd, PushedRobot) {
   Reference reference = reference_at(robot, state);
   const Vector3 offset(0.01, -0.02, 0.005);
   reference.feet[RR_].p_world += offset;
-  const FeetMatrix wanted =
-      feet_accelerations(Gains(), reference, dynamics, Eigen::Vector4d::Zero());
+  const FeetMatrix wanted = feet_accelerations(Gains(), reference, dynamics);
   const Vector3 expected =
       Gains().foot_kp * offset - Gains().foot_kd * dynamics.legs()[RR_].v_world_contact;
   BOOST_TEST((wanted.col(RR_) - expected).norm() < 1e-9);
-}
-
-BOOST_FIXTURE_TEST_CASE(stance_foot_without_load_is_held_more_stiffly_than_its_gains, PushedRobot) {
-  Reference reference = reference_at(robot, state);
-  const Vector3 offset(0.01, -0.02, 0.005);
-  reference.feet[RR_].p_world += offset;
-  const auto wanted = [&](double load) {
-    const Eigen::Vector4d unloaded =
-        unloaded_shares(Eigen::Vector4d(0.3, 0.3, load, 0.3), Eigen::Vector4d::Ones());
-    return Vector3(feet_accelerations(Gains(), reference, dynamics, unloaded).col(RR_));
-  };
-  BOOST_TEST((wanted(0.1) - wanted(0.25)).norm() == 0.0);
-  const Vector3 v = dynamics.legs()[RR_].v_world_contact;
-  BOOST_TEST((wanted(0.0) - (4900.0 * offset - 140.0 * v)).norm() < 1e-9);
-  BOOST_TEST((wanted(0.05) - 0.5 * (wanted(0.0) + wanted(0.1))).norm() < 1e-9);
-  reference.feet[RR_].stance = false;
-  BOOST_TEST((wanted(0.0) - wanted(0.25)).norm() == 0.0);
-  const Eigen::Vector4d contact(1.0, 1.0, 0.3, 0.0);
-  const Eigen::Vector4d held = unloaded_shares(Eigen::Vector4d::Zero(), contact);
-  BOOST_TEST((held - contact).norm() == 0.0);
 }
 
 // The joint orders of q, v, posture and joint table differ and must not be mixed up.

@@ -69,10 +69,10 @@ def authority(body, state, normal=UP):
 
 @pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
 def test_rigid_body_dynamics_hold_exactly(body, normal) -> None:
+    controller = WholeBodyController(body.robot)
     for seed in SEEDS:
         state, reference = state_and_reference(body, seed, normal, swing=[seed % 8])
-        # A new controller: feet that had no load in the last tick are held more stiffly.
-        solution = WholeBodyController(body.robot).update(state, reference)
+        solution = controller.update(state, reference)
         assert solution.status == Status.OK
         J = body.contact_jacobian(state.q, normal)
         effort = pin.rnea(body.model, body.data, state.q, state.v, solution.accelerations)
@@ -83,11 +83,11 @@ def test_rigid_body_dynamics_hold_exactly(body, normal) -> None:
 
 @pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
 def test_foot_accelerations_match_their_gains(body, normal) -> None:
-    gains = WholeBodyController(body.robot).gains
+    controller = WholeBodyController(body.robot)
+    gains = controller.gains
     for seed in SEEDS:
         state, reference = state_and_reference(body, seed, normal, swing=[seed % 8])
-        # A new controller: feet that had no load in the last tick are held more stiffly.
-        solution = WholeBodyController(body.robot).update(state, reference)
+        solution = controller.update(state, reference)
         feet = [reference.foot(leg) for leg in range(4)]
         p = body.contact_points(state.q, normal)
         v = (body.contact_jacobian(state.q, normal) @ state.v).reshape(4, 3)
@@ -507,32 +507,26 @@ def test_any_finite_input_gives_finite_torques_within_limits(go1) -> None:
 
 def test_stand_controller_matches_the_whole_body_controller(body) -> None:
     # The contact points depend on the ground normal, which the estimator updates one tick late. Low
-    # foot gains keep the effect small. So ticks after a tick in which a foot had little load do not
-    # count: such a foot is held more stiffly.
+    # foot gains keep the effect small.
     gains = body.robot.config.gains
     gains.foot_kp, gains.foot_kd = 400.0, 35.0
     standing, rng = surefoot.StandController(body.robot, gains), np.random.default_rng(6)
-    controller, compared = WholeBodyController(body.robot, gains), 0
-    least, has_load = 0.1 * 9.81 * body.robot.mass, True
     for tick in range(180):
         report = body.resting_sample(2 * tick)
         report.imu.gyroscope[:] = 0.1 * rng.uniform(-1, 1, 3)
-        report.imu.accelerometer[:] += 0.2 * np.sin(0.1 * tick)
+        report.imu.accelerometer[:] += 2.0 * np.sin(0.1 * tick)
         for i in range(12):
             report.motorState[i].dq = 0.3 * rng.uniform(-1, 1)
         standing.update(report)
         assert surefoot.is_usable(standing.status)
-        twin = controller.update(standing.state, standing.reference)
-        had_load, has_load = has_load, twin.forces[2].min() > least
-        if tick < 80 or not had_load:
+        if tick < 80:
             continue  # the attitude converges: the normal of the last tick differs too much
+        twin = WholeBodyController(body.robot, gains).update(standing.state, standing.reference)
         theirs = standing.solution
         tau_max = body.robot.config.tau_max.max()
         np.testing.assert_allclose(theirs.torques, twin.torques, atol=1e-3 * tau_max)
         most = max(20.0, np.abs(twin.accelerations).max())  # grows as the random samples diverge
         np.testing.assert_allclose(theirs.accelerations, twin.accelerations, atol=1e-3 * most)
-        compared += 1
-    assert compared > 20
 
 
 def test_overloaded_motors_are_saturated_within_limits(body) -> None:

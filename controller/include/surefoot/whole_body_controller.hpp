@@ -29,8 +29,6 @@ struct WholeBodyOptions {
 /// the contact forces from the even forces. Equality constraints: rigid-body dynamics with
 /// armature, and the desired accelerations of the contact points. One exception: in the general
 /// form, the desired acceleration of the foot of a nearly singular leg is a cost, not a constraint.
-/// While the robot does not step, a stance foot that had little load in the last tick is held more
-/// stiffly than with the gains foot_kp and foot_kd.
 /// Near the support edge, the QP widens the joint limits of an unloaded leg so far that they have
 /// no effect; the limits are then applied to its solution. Hard constraints: friction and largest
 /// normal force of each foot, which always allow f = 0. Elastic constraints with exact penalties:

@@ -4,10 +4,14 @@
 #include "low_level/low_state_check.hpp"
 #include "reference/planner_input.hpp"
 #include "surefoot/error.hpp"
+#include "tick/unloaded_feet.hpp"
 
 namespace surefoot {
 
 namespace {
+
+// [N] Contact forces below this are none: the robot is in the air, or no QP has been solved yet.
+constexpr double kNoForce = 1e-6;
 
 const Robot& require_twelve_joints(const Robot& robot) {
   if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
@@ -169,6 +173,18 @@ Eigen::Vector4d Controller::Impl::usable_friction(const Dynamics& dynamics,
   return friction.update(dynamics, used_state, planned.reference(), robot.mass(), learnt_share, dt);
 }
 
+// Hold the feet that had no load in the last solution. Without one, no load is known.
+void Controller::Impl::hold_unloaded_feet(const Dynamics& dynamics,
+                                          const RobotState& used_state) noexcept {
+  const FeetMatrix& forces = controller.solution().forces;
+  if (forces.isZero(kNoForce)) return;
+  const Reference& reference = planned.reference();
+  const Eigen::Vector4d loads =
+      forces.transpose() * reference.ground_normal / (robot.mass() * kGravity);
+  planned.add_to_feet(
+      unloaded_feet_hold(controller.gains(), dynamics, used_state, reference, loads));
+}
+
 // Solve the QP, and again from a cold start if the first solve fails. Limit the power of the
 // torques. Without a reference for this tick, there is no QP to solve.
 Status Controller::Impl::solve(const Dynamics& dynamics, const RobotState& used_state,
@@ -177,6 +193,7 @@ Status Controller::Impl::solve(const Dynamics& dynamics, const RobotState& used_
     compute_fallback(dynamics, used_state);
     return plan_status;
   }
+  hold_unloaded_feet(dynamics, used_state);
   const Solution& solution = controller.solve(dynamics, used_state, planned.reference());
   fallback_level = FallbackLevel::kSolved;
   if (!is_usable(solution.status)) {

@@ -54,6 +54,7 @@ struct Controller::Impl {
   Eigen::Vector4d usable_friction(const Dynamics& dynamics, const RobotState& used_state,
                                   double dt) noexcept;
   Status predict_and_solve(Status plan_status, double dt) noexcept;
+  void hold_unloaded_feet(const Dynamics& dynamics, const RobotState& used_state) noexcept;
   Status solve(const Dynamics& dynamics, const RobotState& used_state, Status plan_status) noexcept;
   void compute_fallback(const Dynamics& dynamics, const RobotState& used_state) noexcept;
   const LowCmd& select_command(Status tick, double elapsed) noexcept;

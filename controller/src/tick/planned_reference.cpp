@@ -47,6 +47,7 @@ PlannedReference::PlannedReference(const Robot& robot, std::shared_ptr<Planner> 
 
 Status PlannedReference::plan(const PlannerInput& input) noexcept {
   const StageScope stage(Stage::kReference);
+  add_to_feet(-added_);
   const bool done = planner_->plan(input, planned_);
   if (input.lost_leg >= 0) {
     release_foot(input.dynamics.legs()[input.lost_leg], planned_.feet[input.lost_leg]);
@@ -60,8 +61,14 @@ Status PlannedReference::plan(const PlannerInput& input) noexcept {
   return Status::kOk;
 }
 
+void PlannedReference::add_to_feet(const FeetMatrix& a) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) reference_.feet[leg].a_world += a.col(leg);
+  added_ += a;
+}
+
 void PlannedReference::reset() noexcept {
   planner_->reset();
+  added_.setZero();
   planned_ = reference_ = initial_;
   has_reference_ = false;
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "surefoot/math.hpp"
 #include "surefoot/planner.hpp"
 #include "surefoot/robot.hpp"
 
@@ -23,6 +24,9 @@ class PlannedReference {
   /// @return kOk or kBadReference
   Status plan(const PlannerInput& input) noexcept;
 
+  /// Add accelerations to those of the feet, until the next plan(); world axes [m/s^2].
+  void add_to_feet(const FeetMatrix& a) noexcept;
+
   /// Return whether a valid reference was planned since the last reset().
   bool has_reference() const noexcept { return has_reference_; }
   /// Return the last valid reference; before the first one, the default.
@@ -35,8 +39,9 @@ class PlannedReference {
   Robot robot_;
   std::shared_ptr<Planner> planner_;
   Reference initial_;
-  Reference planned_;  // written by the planner; equal to reference_ between ticks
+  Reference planned_;  // written by the planner
   Reference reference_;
+  FeetMatrix added_ = FeetMatrix::Zero();  // [m/s^2] by add_to_feet(), part of reference_
   bool has_reference_ = false;
 };
 

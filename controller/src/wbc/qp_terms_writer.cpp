@@ -63,10 +63,7 @@ Status QpTermsWriter::write(const Gains& gains, const Dynamics& dynamics, const 
                             const FeetMatrix* previous) noexcept {
   const StageScope stage(Stage::kTasks);
   const double weight = robot_.mass() * kGravity;
-  Eigen::Vector4d held = Eigen::Vector4d::Zero();
-  if (previous != nullptr && !reference.stepping)
-    held = unloaded_shares(previous->transpose() * reference.ground_normal / weight, state.contact);
-  terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics, held);
+  terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
   terms_.external_wrench = external_wrench_on_base(dynamics, state);
   terms_.foot_softness = foot_softness;
   for (int leg = 0; leg < kLegs; ++leg) {

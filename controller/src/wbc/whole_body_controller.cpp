@@ -14,8 +14,6 @@ namespace surefoot {
 namespace {
 // Largest number of rows of a user task; chosen far larger than any robot's nv.
 constexpr int kMaxTaskRows = 1000;
-// [N] Contact forces below this are none: the robot is in the air, or has not solved a QP yet.
-constexpr double kNoForce = 1e-6;
 }  // namespace
 
 void WholeBodyOptions::validate() const {
@@ -136,7 +134,7 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Robot
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;
   const Eigen::Vector4d& softness = s.solver.select_form(dynamics, reference);
-  const FeetMatrix* previous = s.solution.forces.isZero(kNoForce) ? nullptr : &s.solution.forces;
+  const FeetMatrix* previous = s.solution.forces.isZero() ? nullptr : &s.solution.forces;
   const Status write_status =
       s.writer.write(s.gains, dynamics, state, reference, softness, previous);
   if (write_status != Status::kOk) {
