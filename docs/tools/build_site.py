@@ -35,15 +35,8 @@ def run_sphinx(builder: str, output: Path) -> list[str]:
     # Sphinx walks all of Python below a module that is no package, and warns about what it finds;
     # the list of the coverage builder is right all the same.
     strict = ["-W"] if builder != "coverage" else []
-    options = [
-        *strict,
-        "-n",
-        "--keep-going",
-        "-q",
-        "--no-color",
-        "-d",
-        str(output.parent / "docs-cache"),
-    ]
+    options = [*strict, "-n", "--keep-going", "-q", "--no-color"]
+    options += ["-d", str(output.parent / "docs-cache")]
     command = [sys.executable, "-m", "sphinx", "-b", builder, *options, "docs", str(output)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     if builder == "coverage" and not done.returncode:
