@@ -98,13 +98,15 @@ def test_recording_contains_standing_and_then_a_push():
 
 
 def test_recorded_body_references_are_replayed():
-    reference = {}
-    for scenario in ("quiet", "motion"):
-        recording = record(BenchSettings(), scenario)
-        series, _ = tick_program.run_tick_program(recording, surefoot.QpForm.AUTO, 100)
-        reference[scenario] = np.median(series["reference"].wall)
+    # A reference that the recorded robot did not have costs iterations of the active set.
+    recording = record(BenchSettings(), "motion")
     assert len(recording.references) == len(recording.low_states)
-    assert reference["motion"] > 3.0 * reference["quiet"]  # the reach check takes time
+    other = replace(recording, references=recording.references[:1] * len(recording.references))
+    iterations = [
+        tick_program.run_tick_program(replayed, surefoot.QpForm.AUTO, 100)[0]["tick"].iterations
+        for replayed in (recording, other)
+    ]
+    assert iterations[0].sum() < 1.1 * iterations[0].size < iterations[1].sum()
     short = replace(recording, references=recording.references[1:])
     with pytest.raises(
         surefoot.Error, match="references: got 4999, expected one per LowState: 5000"
