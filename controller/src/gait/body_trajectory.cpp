@@ -26,6 +26,7 @@ void BodyTrajectory::start(const HorizontalMotion& measured, double height) noex
   p_ = measured.p_com;
   v_.setZero();
   a_.setZero();
+  change_ = {};
   yaw_ = measured.yaw;
   height_ = height;
 }
@@ -62,7 +63,9 @@ void BodyTrajectory::update_velocity(const Gains& gains, const WalkVelocity& com
   velocity_ = {next.x(), next.y(), approached(velocity_.yaw_rate, command.yaw_rate, turn_step)};
   const Eigen::Rotation2Dd R(yaw_);
   v_ = R * next;
-  a_ = R * ((next - last) / dt) + velocity_.yaw_rate * Eigen::Vector2d(-v_.y(), v_.x());
+  const double rest = (change - (next - last)).norm();
+  change_ = {R * ((next - last) / dt), rest / std::max(step, 1e-12) * dt};
+  a_ = change_.a + velocity_.yaw_rate * Eigen::Vector2d(-v_.y(), v_.x());
 }
 
 void BodyTrajectory::write(const GroundPlane& ground, const BodySway& sway,

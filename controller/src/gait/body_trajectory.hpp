@@ -4,6 +4,7 @@
 #include "gait/body_sway.hpp"
 #include "gait/gait_size.hpp"
 #include "gait/ground_plane.hpp"
+#include "gait/velocity_change.hpp"
 #include "reference/body_motion.hpp"
 #include "surefoot/gains.hpp"
 #include "surefoot/types.hpp"
@@ -44,6 +45,8 @@ class BodyTrajectory {
   Eigen::Vector2d v_world() const noexcept { return v_; }              ///< [m/s]
   Eigen::Vector2d a_world() const noexcept { return a_; }              ///< [m/s^2]
   double yaw() const noexcept { return yaw_; }                         ///< [rad]
+  /// The change of velocity towards the command, without what turns the velocity in a curve.
+  const VelocityChange& change() const noexcept { return change_; }
 
  private:
   void update_velocity(const Gains& gains, const WalkVelocity& command, double acceleration_share,
@@ -52,8 +55,9 @@ class BodyTrajectory {
   GaitSize size_;
   WalkVelocity velocity_;
   Eigen::Vector2d p_ = Eigen::Vector2d::Zero(), v_ = p_, a_ = p_;  // world axes
-  double yaw_ = 0.0;                                               // [rad]
-  double height_ = 0.0;                                            // [m] above the ground plane
+  VelocityChange change_;
+  double yaw_ = 0.0;     // [rad]
+  double height_ = 0.0;  // [m] above the ground plane
 };
 
 }  // namespace surefoot

@@ -36,6 +36,20 @@ Eigen::Vector2d planned_place(const GaitSize& size, int leg,
   return place;
 }
 
+// Return by how much the acceleration of the trajectory moves the zero-moment point, in the mean of
+// the stance that begins after time_left. While the body accelerates with a, the point is a h / g
+// behind the centre of mass. In a curve the acceleration lasts; that towards the commanded velocity
+// ends when it is reached, and moves the body.
+Eigen::Vector2d mean_zero_moment_point(const GaitSize& size, const BodyTrajectory& body,
+                                       double time_left, double stance_time) noexcept {
+  const VelocityChange& change = body.change();
+  const double end = time_left + stance_time;
+  const Eigen::Vector2d moved = change.position_integral(end) - change.position_integral(time_left);
+  const Eigen::Vector2d gained = change.velocity(end) - change.velocity(time_left);
+  const Eigen::Vector2d a_curve = body.a_world() - change.a;
+  return (moved - size.time * size.time * gained) / stance_time - size.time * size.time * a_curve;
+}
+
 }  // namespace
 
 Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const HorizontalMotion& measured,
@@ -48,10 +62,8 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
   const Eigen::Vector2d travel = R.inverse() * (stance_time * body.v_world());
   const Eigen::Vector2d planned =
       R * Eigen::Vector2d(planned_place(size, leg, travel) - size.nominal_feet.col(leg).head<2>());
-  // While the body accelerates with a, the zero-moment point is a h / g behind the centre of mass.
-  Eigen::Vector2d offset = planned +
-                           gains.foothold_feedback * size.time * (measured.v_com - body.v_world()) -
-                           size.time * size.time * body.a_world();
+  Eigen::Vector2d offset = planned + mean_zero_moment_point(size, body, time_left, stance_time) +
+                           gains.foothold_feedback * size.time * (measured.v_com - body.v_world());
   offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));
   return hip + offset;
 }

@@ -14,10 +14,12 @@ namespace {
 // [sqrt(g h)] Velocity error below which a robot is not recovering from a push. Chosen: twice the
 // velocity RMSE of a walk at 1.5 m/s.
 constexpr double kSteadySpeed = 0.12;
-// is_at_rest(): largest distance of a foot from its nominal position [h], 1.3 cm at h = 0.3 m, and
-// largest speed of the body [sqrt(g h)], 5 cm/s. Chosen: the stand then needs no recovery step.
-constexpr double kStopDistance = 0.045;
-constexpr double kStopSpeed = 0.03;
+// is_at_rest() [h]: largest distance of a foot from its place in the nominal stance, and of the
+// capture point from its place over that stance; 1 cm and 3 cm at h = 0.3 m. Chosen: the stand
+// then needs no recovery step, and brings the capture point back with a quarter of what its feet
+// can do.
+constexpr double kStopDistance = 0.035;
+constexpr double kStopCapture = 0.1;
 
 HorizontalMotion measured_motion(const PlannerInput& input) noexcept {
   const Matrix3& R = input.R_world_base;
@@ -125,18 +127,19 @@ void Stepping::update_body(const PlannerInput& input, const WalkVelocity& comman
                input.dt);
 }
 
-// The body is at rest, and all feet are near their nominal positions.
+// The commanded body is at rest, all feet are near their places in the nominal stance, and a stand
+// can stop the body over them.
 bool Stepping::is_at_rest(const PlannerInput& input,
                           const HorizontalMotion& measured) const noexcept {
-  if (measured.v_com.norm() > kStopSpeed * size_.speed) return false;
   if (body_.velocity().yaw_rate != 0.0 || !body_.v_world().isZero()) return false;
-  const Eigen::Rotation2Dd R(body_.yaw());
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const Eigen::Vector2d nominal = size_.nominal_feet.col(leg).head<2>();
-    const Eigen::Vector2d offset = input.p_feet.col(leg).head<2>() - measured.p_com - R * nominal;
-    if (offset.norm() > kStopDistance * size_.height) return false;
-  }
-  return true;
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(body_.yaw()).toRotationMatrix();
+  // Of each foot: the body's position from which the foot is in its nominal place.
+  const Eigen::Matrix<double, 2, kLegs> centres =
+      input.p_feet.topRows<2>() - R * size_.nominal_feet.topRows<2>();
+  const Eigen::Vector2d centre = centres.rowwise().mean();
+  const double distance = (centres.colwise() - centre).colwise().norm().maxCoeff();
+  const Eigen::Vector2d capture = measured.p_com + size_.time * measured.v_com - centre;
+  return distance <= kStopDistance * size_.height && capture.norm() <= kStopCapture * size_.height;
 }
 
 }  // namespace surefoot
