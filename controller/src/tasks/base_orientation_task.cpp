@@ -18,8 +18,8 @@ BodyRows base_orientation_task(const Gains& gains, const Vector3& angular_accele
   BodyRows rows;
   rows.A_base.rightCols<3>() = dynamics.R_world_base();
   rows.b = angular_acceleration_world;
-  const double tilt = stepping ? gains.walk_weight_base_tilt : gains.weight_base_tilt;
-  rows.weight << tilt, tilt, gains.weight_base_yaw;
+  rows.weight << gains.weight_base_tilt, gains.weight_base_tilt, gains.weight_base_yaw;
+  if (stepping) rows.weight.setConstant(gains.walk_weight_base);
   return rows;
 }
 
