@@ -140,6 +140,24 @@ BOOST_AUTO_TEST_CASE(swing_legs_lose_power_before_the_legs_that_carry) {
   BOOST_TEST(limited(0.8 * full).scale < 1.0);
 }
 
+// The state of set_torques() may be predicted, and wrong.
+BOOST_AUTO_TEST_CASE(power_is_limited_at_the_present_speed_too) {
+  const Robot& robot = quadruped();
+  const RobotState still = standing_state(robot);
+  RobotState moving = still;
+  moving.v[robot.motor_to_v()[4]] = 5.0;
+  Dynamics dynamics(robot);
+  dynamics.update(still.q, still.v, Vector3::UnitZ());
+  const double watts = 50.0;
+  const Vector12 dq = Vector12::Unit(4) * 5.0, tau = Vector12::Constant(20.0);
+  for (const auto& [present, predicted] : {std::pair{moving, still}, std::pair{still, moving}}) {
+    TorqueCommand command(robot, 0.0, watts);
+    command.observe_joints(present, 0.002);
+    BOOST_TEST(command.set_torques(tau, 0.0, dynamics, predicted, Reference(), Gains()));
+    BOOST_TEST(power_of(command.limited().torques, dq, 0.0) <= watts + 1e-9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(holding_torques_balance_gravity) {
   const Robot robot = quadruped();
   RobotState state = standing_state(robot);

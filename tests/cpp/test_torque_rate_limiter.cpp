@@ -32,6 +32,16 @@ BOOST_FIXTURE_TEST_CASE(torque_change_is_limited_and_keeps_its_direction, Rate) 
   BOOST_TEST(!rate.limit(tau, kd, dq, kTick));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_leg_does_not_delay_the_others, Rate) {
+  tau[0] = 15.0;           // FR
+  tau[3] = 0.9 * kStep;    // FL
+  tau[11] = -1.1 * kStep;  // RL
+  BOOST_TEST(rate.limit(tau, kd, dq, kTick));
+  BOOST_TEST(std::abs(tau[0] - kStep) < 1e-12);
+  BOOST_TEST(tau[3] == 0.9 * kStep);
+  BOOST_TEST(std::abs(tau[11] + kStep) < 1e-12);
+}
+
 BOOST_FIXTURE_TEST_CASE(reduced_damping_counts_as_torque_change, Rate) {
   dq[0] = 6.0;
   rate.limit(tau, kd, dq, kTick);

@@ -42,6 +42,11 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   damping_ = motor_damping_ + damping;
   lost_damping_ = gains.damping_kd;
   const Vector12 dq = joint_speeds(state);
+  // `dq` may be predicted over the delay. With limited torques, and after a push, the robot does
+  // not move as predicted. So the power is limited at the predicted and at the present velocity:
+  // for each motor at the faster one.
+  const Vector12 fastest =
+      (present_speeds_.array().abs() > dq.array().abs()).select(present_speeds_, dq);
   const auto limit_power_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
@@ -52,7 +57,7 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
       const double limit = torque_share_[i] * robot_.config().tau_max[i];
       hold[i] = std::clamp(hold[i], -limit, limit);  // NaN stays NaN
     }
-    limited_ = limit_swing_legs_first(tau, hold, dq, reference, watts);
+    limited_ = limit_swing_legs_first(tau, hold, fastest, reference, watts);
   };
   limit_power_to(state.contact, power_limit_);
   // If no scale satisfies the power limit, scale towards torques that hold the robot on all four

@@ -30,7 +30,8 @@ class TorqueCommand {
   /// Update the joint velocities. Call it after each estimate. @param dt time since the last
   /// estimate [s]
   void observe_joints(const RobotState& state, double dt) noexcept {
-    runaway_legs_.update(joint_speeds(state), dt);
+    present_speeds_ = joint_speeds(state);
+    runaway_legs_.update(present_speeds_, dt);
   }
 
   /// Set the lost leg: 0 .. 3, or -1 for none. The motors of a lost leg damp and get no torques.
@@ -61,6 +62,7 @@ class TorqueCommand {
   const LimitedTorques& limited() const noexcept { return limited_; }
   void reset() noexcept {
     limited_ = {};
+    present_speeds_.setZero();
     runaway_legs_.reset();
     lost_leg_ = -1;
     lost_damping_share_ = 0.0;
@@ -78,6 +80,7 @@ class TorqueCommand {
   double power_limit_;      // [W]
   LimitedTorques limited_;  // motor order
   RunawayLegs runaway_legs_;
+  Vector12 present_speeds_ = Vector12::Zero();  // [rad/s] of the last observe_joints()
   int lost_leg_ = -1;
   Vector12 torque_share_ = Vector12::Ones();  // usable share of each motor's torque limit
   // [N.m.s/rad] Damping of the present command, option motor_damping included.
