@@ -113,7 +113,7 @@ struct Gains {
   double walk_gait_period = 6.0;  ///< [sqrt(h/g)] gait_period of the gait walk
   double walk_gait_duty = 0.8;    ///< [1] share of the period in which a foot stands, gait walk
   /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk.
-  double walk_gait_margin = 0.12;
+  double walk_gait_margin = 0.1;
   double walk_gait_swing_height = 0.2;  ///< [h] swing_height of the gait walk
   double walk_gait_speed = 0.15;        ///< [sqrt(g h)] greatest commanded speed, gait walk
   double walk_gait_turn_speed = 0.1;    ///< [sqrt(g/h)] greatest commanded yaw rate, gait walk
