@@ -10,7 +10,7 @@ from surefoot._core import Robot
 from surefoot.sim.hardware.encoders import IdealEncoders, RealEncoders
 from surefoot.sim.hardware.foot_sensors import FootSensors
 from surefoot.sim.hardware.imu import draw_imu_errors
-from surefoot.sim.hardware.walking_errors import ACCELEROMETER_READINGS, draw_vibration
+from surefoot.sim.hardware.walking_errors import accelerometer_readings, draw_vibration
 from surefoot.sim.hardware.wire_format import WireFormat, default_low_state
 from surefoot.sim.model.mujoco_handles import Handles
 from surefoot.sim.settings import PlantSettings
@@ -66,7 +66,7 @@ class Sensors(_plant.Sensors):
             imu_errors,
             imu_rng,
             draw_vibration(robot, settings, vibration_rng) if walking else None,
-            ACCELEROMETER_READINGS if walking else 1,
+            accelerometer_readings(settings.control_rate) if walking else 1,
             encoders,
             FootSensors(
                 settings.foot_force or "dead",

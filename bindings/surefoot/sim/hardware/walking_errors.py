@@ -37,8 +37,10 @@ VIBRATION_COUPLING = (0.5, 1.5)
 # Assumed, because the vendor names no IMU: common ranges of MEMS IMUs. If smaller: touchdowns clip.
 GYRO_RANGE = math.radians(2000.0)  # [rad/s]
 ACCELEROMETER_RANGE = 8.0 * 9.81  # [m/s^2]
-# Number of LowStates for each new accelerometer value, as in the Go1 log.
-ACCELEROMETER_READINGS = 2
+# [s] Time between new values of the accelerometer. In the Go1 log every second LowState at 400 Hz
+# repeats the value of the one before: the sensor has a rate of its own, near 200 Hz. Chosen: 250 Hz,
+# so that this is so at 500 Hz too.
+ACCELEROMETER_PERIOD = 0.004
 # [s] Time constant with which the measured foot force follows a falling force. In the Go1 log,
 # counts fall from 100 or 200 to 10 within 15 to 20 ms after the calf has begun to lift the foot.
 FORCE_FALL_TIME = 0.008
@@ -64,6 +66,11 @@ def draw_vibration(
     coupling *= 1.0 if settings.soft_soles else RIGID_SOLE_FACTOR
     coupling /= robot.mass * 9.81 / 4.0
     return _plant.Vibration(frequency, VIBRATION_DAMPING, coupling, settings.physics_dt)
+
+
+def accelerometer_readings(control_rate: float) -> int:
+    """Return the number of LowStates for each new accelerometer value."""
+    return max(1, round(ACCELEROMETER_PERIOD * control_rate))
 
 
 def force_fall_blend(dt: float) -> float:
