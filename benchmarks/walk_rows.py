@@ -112,6 +112,8 @@ def check_walk_gait(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[fl
 
 def check_straight(log: WalkLog, summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
     """Ask for heading, path and equal strides of a long straight walk."""
+    if log.fell:
+        return check_upright(log, summary)
     middle: dict[int, list[np.ndarray]] = {leg: [] for leg in range(4)}
     for phase in stance_phases(log):
         middle[phase.leg].append(log.feet[(phase.start + phase.end) // 2, :2, phase.leg])

@@ -29,6 +29,31 @@ BOOST_FIXTURE_TEST_CASE(robot_steps_until_its_feet_are_in_the_nominal_stance, Pl
   BOOST_TEST(!planner.walking());
 }
 
+// The middle of the feet and the velocity are given by hand; the body trajectory is at rest.
+BOOST_FIXTURE_TEST_CASE(robot_steps_until_a_stand_can_stop_the_body, PlannedWalk) {
+  struct Case {
+    double offset, velocity;  // of the body from the middle of its feet [h], [h / sqrt(h/g)]
+    bool stands;
+  };
+  const GaitSize& size = planner.stepping().size();
+  const FeetMatrix feet =
+      make_planner_input(state, gains, dynamics, kDt, kDelay, robot.mass(), lost_leg).p_feet;
+  for (const Case& c : {Case{0.05, 0.04, true}, Case{0.0, 0.11, false}, Case{0.11, 0.0, false},
+                        Case{0.11, -0.1, false}, Case{-0.05, 0.1, true}}) {
+    state.v.setZero();
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    p_feet.reset();
+    walk({}, 2.0);
+    BOOST_REQUIRE(!planner.walking());
+    walk({0.3, 0.0, 0.0}, 0.1);
+    p_feet = feet.colwise() - c.offset * size.height * Vector3::UnitX();
+    state.v[0] = c.velocity * size.height / size.time;
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    walk({}, 2.0);
+    BOOST_TEST(planner.walking() != c.stands);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(gait_trot_steps_at_velocity_0, PlannedWalk) {
   planner.set_gait(gains, Gait::kTrot);
   walk({}, 2.0);

@@ -25,7 +25,8 @@ struct SwayFixture {
                         {},
                         {},
                         0.25 * kPeriod - kSwing,
-                        margin};
+                        margin,
+                        {}};
 
   void tick() {
     constexpr double kNever = std::numeric_limits<double>::infinity();

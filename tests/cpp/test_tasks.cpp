@@ -58,6 +58,11 @@ BOOST_FIXTURE_TEST_CASE(orientation_rows_match_finite_differences, PushedRobot) 
   const Vector3 desired(1.0, 2.0, -1.0);
   const BodyRows rows = base_orientation_task(Gains(), desired, dynamics, false);
   BOOST_TEST((row_error(rows, *this) - (happens - desired)).norm() < 1e-5);
+  const Gains gains;
+  const double tilt = gains.weight_base_tilt;
+  BOOST_TEST((rows.weight == Vector3(tilt, tilt, gains.weight_base_yaw)));
+  const BodyRows stepping = base_orientation_task(gains, desired, dynamics, true);
+  BOOST_TEST((stepping.weight == Vector3::Constant(gains.walk_weight_base_rotation)));
 }
 
 BOOST_FIXTURE_TEST_CASE(momentum_rows_match_finite_differences, PushedRobot) {

@@ -42,6 +42,12 @@ BOOST_FIXTURE_TEST_CASE(a_leg_does_not_delay_the_others, Rate) {
   BOOST_TEST(std::abs(tau[11] + kStep) < 1e-12);
 }
 
+BOOST_FIXTURE_TEST_CASE(period_of_0_keeps_the_torques, Rate) {
+  tau[0] = 15.0;
+  BOOST_TEST(rate.limit(tau, kd, dq, 0.0));
+  BOOST_TEST(tau.isZero(0.0));
+}
+
 BOOST_FIXTURE_TEST_CASE(reduced_damping_counts_as_torque_change, Rate) {
   dq[0] = 6.0;
   rate.limit(tau, kd, dq, kTick);

@@ -91,9 +91,10 @@ struct Gains {
   double foothold_feedback = 0.85;
   /// [h] Capture margin below which a standing robot that has lost two contacts steps; -10: never.
   double recovery_margin = 0.05;
-  double swing_height = 0.15;           ///< [h] height to which a swing foot rises
-  double swing_landing_speed = 0.16;    ///< [sqrt(g h)] downward speed at which a foot lands
-  double walk_weight_base = 40.0;        ///< [1] weight of the angular acceleration of a stepping robot
+  double swing_height = 0.15;         ///< [h] height to which a swing foot rises
+  double swing_landing_speed = 0.16;  ///< [sqrt(g h)] downward speed at which a foot lands
+  /// [1] Weight of the roll, pitch and yaw acceleration of a robot that steps.
+  double walk_weight_base_rotation = 40.0;
   /// [1/s] joint_limit_rate of a walking robot.
   double walk_joint_limit_rate = 100.0;
   /// [m g] hold_down while one foot of a walking robot swings.

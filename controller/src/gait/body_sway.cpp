@@ -40,10 +40,13 @@ double swing_share(const NextSwing& swing, double time, double shift_time) noexc
 class PlannedZmp {
  public:
   PlannedZmp(const BodySway::Input& input, double time_unit) noexcept
-      : input_(input), zmp_(input.p - time_unit * time_unit * input.a) {}
+      : input_(input),
+        square_time_(time_unit * time_unit),
+        zmp_(input.p - square_time_ * (input.a - input.change.a)) {}
 
   Eigen::Vector2d operator()(double time) noexcept {
-    const Eigen::Vector2d base = zmp_ + time * input_.v;
+    Eigen::Vector2d base = zmp_ + time * input_.v + input_.change.moved(time);
+    if (time < input_.change.time_left) base -= square_time_ * input_.change.a;
     std::array<double, kLegs> share;
     double sum = 0.0;
     for (int leg = 0; leg < kLegs; ++leg) {
@@ -82,7 +85,8 @@ class PlannedZmp {
   }
 
   const BodySway::Input& input_;
-  Eigen::Vector2d zmp_;  // of the body trajectory at time 0
+  double square_time_;   // [s^2] h / g
+  Eigen::Vector2d zmp_;  // of the body trajectory at time 0, without the change of its velocity
   std::array<std::optional<SupportPolygon>, kLegs> triangles_;
   std::array<unsigned, kLegs> lifted_{};
 };

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "gait/gait_size.hpp"
+#include "gait/velocity_change.hpp"
 
 namespace surefoot {
 
@@ -27,11 +28,12 @@ class BodySway {
  public:
   /// Motion of the body trajectory, without sway, and what its ZMP may do.
   struct Input {
-    Eigen::Vector2d p, v, a;  ///< body trajectory, world [m], [m/s], [m/s^2]
+    Eigen::Vector2d p, v, a;  ///< body trajectory now, world [m], [m/s], [m/s^2]
     std::array<NextSwing, kLegs> swings;
     std::array<bool, kLegs> stance;  ///< feet that carry load now
     double shift_time;               ///< [s] time before and after a swing in which the ZMP moves
     double margin;                   ///< [m] distance of the ZMP from support edges
+    VelocityChange change;           ///< of the body trajectory, part of `a`
   };
 
   explicit BodySway(const GaitSize& size) : size_(size) {}

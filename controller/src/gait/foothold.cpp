@@ -26,28 +26,36 @@ constexpr double kMinGap = 0.2;
 // fell more often than with any.
 constexpr double kLateChange = 8.0;
 
-// Return the planned place of a foot at touchdown in a steady walk, from the centre of mass, in
-// axes of the heading at mid-stance.
+// Return the planned place of a foot at touchdown, from the centre of mass, in axes of the heading
+// at mid-stance.
+// @param travel of the body from touchdown on, mean of the stance [m], the same axes
 Eigen::Vector2d planned_place(const GaitSize& size, int leg,
                               const Eigen::Vector2d& travel) noexcept {
-  Eigen::Vector2d place = size.nominal_feet.col(leg).head<2>() + 0.5 * travel;
+  Eigen::Vector2d place = size.nominal_feet.col(leg).head<2>() + travel;
   const double side = size.nominal_feet(1, leg) < 0.0 ? -1.0 : 1.0;
   place.y() = side * std::max(side * place.y(), kMinSide * size.height);
   return place;
 }
 
-// Return by how much the acceleration of the trajectory moves the zero-moment point, in the mean of
-// the stance that begins after time_left. While the body accelerates with a, the point is a h / g
-// behind the centre of mass. In a curve the acceleration lasts; that towards the commanded velocity
-// ends when it is reached, and moves the body.
-Eigen::Vector2d mean_zero_moment_point(const GaitSize& size, const BodyTrajectory& body,
-                                       double time_left, double stance_time) noexcept {
+// Return the mean distance, over the stance, of the body from where it was at touchdown [m].
+Eigen::Vector2d mean_travel(const BodyTrajectory& body, double time_left,
+                            double stance_time) noexcept {
   const VelocityChange& change = body.change();
-  const double end = time_left + stance_time;
-  const Eigen::Vector2d moved = change.position_integral(end) - change.position_integral(time_left);
-  const Eigen::Vector2d gained = change.velocity(end) - change.velocity(time_left);
+  const Eigen::Vector2d moved =
+      (change.moved_integral(time_left + stance_time) - change.moved_integral(time_left)) /
+      stance_time;
+  return 0.5 * stance_time * body.v_world() + moved - change.moved(time_left);
+}
+
+// Return the mean distance, over the stance, of the zero-moment point from the centre of mass [m].
+// While the body accelerates with a, it is a h / g behind it.
+Eigen::Vector2d mean_zmp_offset(const GaitSize& size, const BodyTrajectory& body, double time_left,
+                                double stance_time) noexcept {
+  const VelocityChange& change = body.change();
+  const Eigen::Vector2d a_mean =
+      (change.gained(time_left + stance_time) - change.gained(time_left)) / stance_time;
   const Eigen::Vector2d a_curve = body.a_world() - change.a;
-  return (moved - size.time * size.time * gained) / stance_time - size.time * size.time * a_curve;
+  return -size.time * size.time * (a_mean + a_curve);
 }
 
 }  // namespace
@@ -58,11 +66,12 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
   const double turn = body.velocity().yaw_rate * (time_left + 0.5 * stance_time);
   const Eigen::Rotation2Dd R(body.yaw() + turn);
   const Eigen::Vector2d hip = measured.p_com + time_left * measured.v_com +
+                              body.change().moved(time_left) +
                               R * Eigen::Vector2d(size.nominal_feet.col(leg).head<2>());
-  const Eigen::Vector2d travel = R.inverse() * (stance_time * body.v_world());
+  const Eigen::Vector2d travel = R.inverse() * mean_travel(body, time_left, stance_time);
   const Eigen::Vector2d planned =
       R * Eigen::Vector2d(planned_place(size, leg, travel) - size.nominal_feet.col(leg).head<2>());
-  Eigen::Vector2d offset = planned + mean_zero_moment_point(size, body, time_left, stance_time) +
+  Eigen::Vector2d offset = planned + mean_zmp_offset(size, body, time_left, stance_time) +
                            gains.foothold_feedback * size.time * (measured.v_com - body.v_world());
   offset *= std::min(1.0, kMaxOffset * size.height / std::max(offset.norm(), 1e-9));
   return hip + offset;

@@ -7,10 +7,13 @@ namespace surefoot {
 
 /// Compute where a foot should land, world x and y [m]. Real-time: yes.
 ///
-/// At mid-stance of a steady walk the foot is under its hip, shifted against the acceleration of
-/// the trajectory. To this a distance is added in proportion to the velocity beyond that of the
-/// trajectory (gain foothold_feedback), so that the step brakes what a push has added.
+/// The foot is under its hip in the mean of its stance, shifted by the mean distance of the
+/// zero-moment point from the centre of mass: against the acceleration of the trajectory, for the
+/// part of the stance in which it lasts. To this a distance is added in proportion to the velocity
+/// beyond that of the trajectory (gain foothold_feedback), so that the step brakes what a push has
+/// added.
 /// @param time_left until touchdown [s]
+/// @param stance_time above 0 [s]
 /// Sources: Raibert 1986, "Legged robots that balance"; Pratt et al. 2006 (capture point).
 Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const HorizontalMotion& measured,
                          const BodyTrajectory& body, int leg, double time_left,

@@ -14,10 +14,10 @@ namespace {
 // [sqrt(g h)] Velocity error below which a robot is not recovering from a push. Chosen: twice the
 // velocity RMSE of a walk at 1.5 m/s.
 constexpr double kSteadySpeed = 0.12;
-// is_at_rest() [h]: largest distance of a foot from its place in the nominal stance, and of the
-// capture point from its place over that stance; 1 cm and 3 cm at h = 0.3 m. Chosen: the stand
-// then needs no recovery step, and brings the capture point back with a quarter of what its feet
-// can do.
+// can_stand() [h]: largest distance of a foot from its place in the nominal stance, and of the
+// centre of mass and the capture point from the middle of that stance; 1 cm and 3 cm at h = 0.3 m.
+// Chosen: the stand then needs no recovery step. 3 cm are a quarter of the way to the feet beside
+// the body.
 constexpr double kStopDistance = 0.035;
 constexpr double kStopCapture = 0.1;
 
@@ -61,7 +61,7 @@ void Stepping::start_recovery(const PlannerInput& input, const Vector3& ground_n
 
 void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
                      double height_offset) noexcept {
-  at_rest_ = false;
+  may_stand_ = false;
   recovery_.start();
   feet_.start(input.p_feet);
   ground_.start(surface_points(input, ground_normal), input.state.contact, ground_normal,
@@ -74,7 +74,7 @@ void Stepping::begin(const PlannerInput& input, const Vector3& ground_normal,
 void Stepping::plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
                     const BodyMotion& offset, bool may_stop, Reference& reference) noexcept {
   const HorizontalMotion measured = motion_without_sway(input);
-  at_rest_ = may_stop && (input.lost_leg >= 0 || is_at_rest(input, measured));
+  may_stand_ = may_stop && (input.lost_leg >= 0 || can_stand(input, measured));
   const bool steady = (measured.v_com - body_.v_world()).norm() < kSteadySpeed * size_.speed;
   update_schedule(input, walk, command, measured, steady);
   update_ground(input, steady);
@@ -105,7 +105,7 @@ void Stepping::update_schedule(const PlannerInput& input, bool walk, const WalkV
   if (walks && !walk)
     schedule_.trot_at_once(input.gains, body_.velocity(), leg_to_swing(input), feet_.stumble());
   schedule_.update_pattern(input.gains, walk, command, body_.velocity());
-  schedule_.advance(input, measured, body_, contact, feet_.stumble(), at_rest_);
+  schedule_.advance(input, measured, body_, contact, feet_.stumble(), may_stand_);
 }
 
 void Stepping::update_ground(const PlannerInput& input, bool steady) noexcept {
@@ -129,8 +129,8 @@ void Stepping::update_body(const PlannerInput& input, const WalkVelocity& comman
 
 // The commanded body is at rest, all feet are near their places in the nominal stance, and a stand
 // can stop the body over them.
-bool Stepping::is_at_rest(const PlannerInput& input,
-                          const HorizontalMotion& measured) const noexcept {
+bool Stepping::can_stand(const PlannerInput& input,
+                         const HorizontalMotion& measured) const noexcept {
   if (body_.velocity().yaw_rate != 0.0 || !body_.v_world().isZero()) return false;
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(body_.yaw()).toRotationMatrix();
   // Of each foot: the body's position from which the foot is in its nominal place.
@@ -138,8 +138,10 @@ bool Stepping::is_at_rest(const PlannerInput& input,
       input.p_feet.topRows<2>() - R * size_.nominal_feet.topRows<2>();
   const Eigen::Vector2d centre = centres.rowwise().mean();
   const double distance = (centres.colwise() - centre).colwise().norm().maxCoeff();
-  const Eigen::Vector2d capture = measured.p_com + size_.time * measured.v_com - centre;
-  return distance <= kStopDistance * size_.height && capture.norm() <= kStopCapture * size_.height;
+  const Eigen::Vector2d offset = measured.p_com - centre;
+  const Eigen::Vector2d capture = offset + size_.time * measured.v_com;
+  return distance <= kStopDistance * size_.height && offset.norm() <= kStopCapture * size_.height &&
+         capture.norm() <= kStopCapture * size_.height;
 }
 
 }  // namespace surefoot

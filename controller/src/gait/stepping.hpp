@@ -26,8 +26,8 @@ class Stepping {
                       double height_offset) noexcept;
   /// @param walk like that of start(). A change is in force when all feet stand the next time
   /// @param offset height, roll and pitch of the body relative to those of the standing pose
-  /// @param may_stop true: stop lifting feet as soon as the body is at rest over the nominal
-  ///   stance, or a leg is lost
+  /// @param may_stop true: stop lifting feet as soon as a stand can stop the body over feet that
+  ///   are near their places in the nominal stance, or a leg is lost
   void plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
             const BodyMotion& offset, bool may_stop, Reference& reference) noexcept;
 
@@ -35,7 +35,7 @@ class Stepping {
   /// of a lost leg.
   /// @param lost_leg 0 .. 3, or -1
   bool has_stopped(int lost_leg) const noexcept {
-    return at_rest_ && contacts().others_in_stance(lost_leg) &&
+    return may_stand_ && contacts().others_in_stance(lost_leg) &&
            (lost_leg >= 0 || sway_.is_at_rest());
   }
 
@@ -51,7 +51,7 @@ class Stepping {
   void begin(const PlannerInput& input, const Vector3& ground_normal,
              double height_offset) noexcept;
   HorizontalMotion motion_without_sway(const PlannerInput& input) const noexcept;
-  bool is_at_rest(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
+  bool can_stand(const PlannerInput& input, const HorizontalMotion& measured) const noexcept;
   void update_schedule(const PlannerInput& input, bool walk, const WalkVelocity& command,
                        const HorizontalMotion& measured, bool steady) noexcept;
   void update_ground(const PlannerInput& input, bool steady) noexcept;
@@ -65,7 +65,7 @@ class Stepping {
   BodyTrajectory body_;
   BodySway sway_;
   WalkRecovery recovery_;
-  bool at_rest_ = false;  // no foot need lift off
+  bool may_stand_ = false;  // no foot need lift off
 };
 
 }  // namespace surefoot

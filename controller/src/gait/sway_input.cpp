@@ -29,7 +29,8 @@ NextSwing next_swing(const StepState& steps, const PlannerInput& input, int leg)
 BodySway::Input sway_input(const StepState& steps, const PlannerInput& input) noexcept {
   const GaitTiming& timing = steps.clock.timing();
   const HorizontalMotion body = steps.body.motion();
-  BodySway::Input sway{body.p_com, body.v_com, steps.body.a_world(), {}, {}, 0.0, 0.0};
+  BodySway::Input sway{body.p_com, body.v_com, steps.body.a_world(), {}, {},
+                       0.0,        0.0,        steps.body.change()};
   for (int leg = 0; leg < kLegs; ++leg) {
     sway.swings[leg] = next_swing(steps, input, leg);
     sway.stance[leg] = steps.pattern.walk && steps.contacts.in_stance(leg);

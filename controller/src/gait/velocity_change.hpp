@@ -6,19 +6,27 @@
 
 namespace surefoot {
 
-/// Change of velocity that the body trajectory has begun: acceleration `a` for the next `time`
-/// seconds, then none. Real-time: yes.
+/// Change of velocity that the body trajectory has begun, if the command stays as it is:
+/// acceleration `a` for the next `time_left` seconds, then none. Turning is neglected: `a` keeps
+/// its direction in the world, and does not rise when a change of the yaw rate ends first.
+/// Real-time: yes.
 struct VelocityChange {
   Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< [m/s^2] world axes
-  double time = 0.0;                            ///< [s] until the commanded velocity is reached
+  double time_left = 0.0;                       ///< [s] until the commanded velocity is reached
 
-  /// Return by how much the velocity changes within t, from now on [m/s].
-  Eigen::Vector2d velocity(double t) const noexcept { return std::min(t, time) * a; }
+  /// Return by how much the velocity will have changed at the time t from now [m/s].
+  Eigen::Vector2d gained(double t) const noexcept { return std::min(t, time_left) * a; }
 
-  /// Return the integral over 0 .. t of the distance by which the change moves the body [m s].
-  Eigen::Vector2d position_integral(double t) const noexcept {
-    const double now = std::min(t, time), then = t - now;
-    return (now * now * now / 6.0 + 0.5 * now * then * (now + then)) * a;
+  /// Return the distance by which the change will have moved the body at the time t [m].
+  Eigen::Vector2d moved(double t) const noexcept {
+    const double changing = std::min(t, time_left), after = t - changing;
+    return (0.5 * changing + after) * changing * a;
+  }
+
+  /// Return the integral of moved() over 0 .. t [m s].
+  Eigen::Vector2d moved_integral(double t) const noexcept {
+    const double changing = std::min(t, time_left), after = t - changing;
+    return (changing * changing / 6.0 + 0.5 * after * (changing + after)) * changing * a;
   }
 };
 

@@ -123,7 +123,7 @@ constexpr GainInfo kRows[] = {
      "height to which a swing foot rises"},
     {kWalking, "swing_landing_speed", "sqrt(g h)", 0, 1, &G::swing_landing_speed,
      "downward speed at which a foot lands"},
-    {kWalking, "walk_weight_base", "1", 1e-4, 1e4, &G::walk_weight_base,
+    {kWalking, "walk_weight_base_rotation", "1", 1e-4, 1e4, &G::walk_weight_base_rotation,
      "weight of roll, pitch and yaw acceleration while the robot steps"},
     {kWalking, "walk_joint_limit_rate", "1/s", 1, 200, &G::walk_joint_limit_rate,
      "joint_limit_rate of a walking robot"},

@@ -42,11 +42,6 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
   damping_ = motor_damping_ + damping;
   lost_damping_ = gains.damping_kd;
   const Vector12 dq = joint_speeds(state);
-  // `dq` may be predicted over the delay. With limited torques, and after a push, the robot does
-  // not move as predicted. So the power is limited at the predicted and at the present velocity:
-  // for each motor at the faster one.
-  const Vector12 fastest =
-      (present_speeds_.array().abs() > dq.array().abs()).select(present_speeds_, dq);
   const auto limit_power_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
@@ -57,7 +52,8 @@ bool TorqueCommand::set_torques(const Vector12& tau, double damping, const Dynam
       const double limit = torque_share_[i] * robot_.config().tau_max[i];
       hold[i] = std::clamp(hold[i], -limit, limit);  // NaN stays NaN
     }
-    limited_ = limit_swing_legs_first(tau, hold, fastest, reference, watts);
+    limited_ = limit_swing_legs_first(tau, hold, dq, reference, watts);
+    limit_at_present_speeds(hold, dq, reference, watts);
   };
   limit_power_to(state.contact, power_limit_);
   // If no scale satisfies the power limit, scale towards torques that hold the robot on all four
@@ -103,6 +99,30 @@ LimitedTorques TorqueCommand::limit_swing_legs_first(const Vector12& tau, const 
   out.swing_scale = 0.0;
   out.swings = swings;
   return out;
+}
+
+// Limit the power at the present joint velocities too, if that is possible. `dq`, at which it is
+// limited already, may be predicted over the delay, and a robot with limited torques, or after a
+// push, does not move as predicted.
+void TorqueCommand::limit_at_present_speeds(const Vector12& hold, const Vector12& dq,
+                                            const Reference& reference, double watts) noexcept {
+  if (limited_.no_scale_within_limit) return;
+  const LimitedTorques more =
+      limit_swing_legs_first(limited_.torques, hold, present_speeds_, reference, watts);
+  if (more.no_scale_within_limit || (more.scale == 1.0 && more.swing_scale == 1.0)) return;
+  const auto swing_scale = [](const LimitedTorques& limited, bool swings) {
+    return swings ? limited.swing_scale : limited.scale;
+  };
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!limited_.swings[leg] && !more.swings[leg]) continue;
+    limited_.swing_scale =
+        swing_scale(limited_, limited_.swings[leg]) * swing_scale(more, more.swings[leg]);
+    break;  // the legs that swing are the same in both
+  }
+  for (int leg = 0; leg < kLegs; ++leg) limited_.swings[leg] |= more.swings[leg];
+  limited_.scale *= more.scale;
+  limited_.torques = more.torques;
+  limited_.power = power_of(limited_.torques, dq, damping_);
 }
 
 Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {

@@ -27,7 +27,8 @@ class TorqueCommand {
   TorqueCommand(const Robot& robot, double motor_damping, double power_limit)
       : robot_(robot), motor_damping_(motor_damping), power_limit_(power_limit) {}
 
-  /// Update the joint velocities. Call it after each estimate. @param dt time since the last
+  /// Update the present joint velocities. Call it after each estimate, before set_torques(), which
+  /// limits the power at these velocities and at those of its state. @param dt time since the last
   /// estimate [s]
   void observe_joints(const RobotState& state, double dt) noexcept {
     present_speeds_ = joint_speeds(state);
@@ -72,6 +73,8 @@ class TorqueCommand {
   LimitedTorques limit_swing_legs_first(const Vector12& tau, const Vector12& hold,
                                         const Vector12& dq, const Reference& reference,
                                         double watts) const noexcept;
+  void limit_at_present_speeds(const Vector12& hold, const Vector12& dq, const Reference& reference,
+                               double watts) noexcept;
   Vector12 joint_speeds(const RobotState& state) const noexcept;
   bool limit_runaway_legs(const Vector12& dq, const Reference& reference) noexcept;
 

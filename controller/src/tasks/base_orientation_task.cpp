@@ -19,7 +19,7 @@ BodyRows base_orientation_task(const Gains& gains, const Vector3& angular_accele
   rows.A_base.rightCols<3>() = dynamics.R_world_base();
   rows.b = angular_acceleration_world;
   rows.weight << gains.weight_base_tilt, gains.weight_base_tilt, gains.weight_base_yaw;
-  if (stepping) rows.weight.setConstant(gains.walk_weight_base);
+  if (stepping) rows.weight.setConstant(gains.walk_weight_base_rotation);
   return rows;
 }
 

@@ -13,9 +13,9 @@ namespace surefoot {
 ///
 /// The torque changes of a leg are scaled by one factor, so that no torque changes faster than
 /// kMaxRate, and the force of the foot changes straight towards the desired one. A leg whose
-/// torques change much does not delay the others: the power limit must be able to reduce the
-/// torques of swing legs at once. A new damping Kd also changes the torque of a motor, so the last
-/// torques are first converted to the new Kd. Real-time: yes.
+/// torques change much does not delay the others, for example when the power limit reduces their
+/// torques. The sum of all forces does not change straight, then. A new damping Kd also changes the
+/// torque of a motor, so the last torques are first converted to the new Kd. Real-time: yes.
 class TorqueRateLimiter {
  public:
   /// [1/s] Largest rate of a torque, in tau_max per second: 9.5 % of tau_max in 2 ms, or 1100 N.m/s
@@ -41,13 +41,14 @@ class TorqueRateLimiter {
     const Vector12 change = tau - last_equivalent;
     const double allowed = kMaxRate * std::min(period, kMaxPeriod);
     bool exceeds = false;
-    for (int first = 0; first < kMotors; first += 3) {
-      const Vector3 of_leg = change.segment<3>(first);
+    for (int first = 0; first < kMotors; first += kLegJoints) {
+      const Vector3 of_leg = change.segment<kLegJoints>(first);
       const double max_ratio =
-          of_leg.cwiseQuotient(tau_max_.segment<3>(first)).cwiseAbs().maxCoeff() / allowed;
-      if (max_ratio <= 1.0) continue;
+          of_leg.cwiseQuotient(tau_max_.segment<kLegJoints>(first)).cwiseAbs().maxCoeff() / allowed;
+      if (!(max_ratio > 1.0)) continue;
       exceeds = true;
-      tau.segment<3>(first) = last_equivalent.segment<3>(first) + of_leg / max_ratio;
+      tau.segment<kLegJoints>(first) =
+          last_equivalent.segment<kLegJoints>(first) + of_leg / max_ratio;
     }
     last_ = tau;
     kd_ = kd;
