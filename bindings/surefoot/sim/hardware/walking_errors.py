@@ -38,8 +38,8 @@ VIBRATION_COUPLING = (0.5, 1.5)
 GYRO_RANGE = math.radians(2000.0)  # [rad/s]
 ACCELEROMETER_RANGE = 8.0 * 9.81  # [m/s^2]
 # [s] Time between new values of the accelerometer. In the Go1 log every second LowState at 400 Hz
-# repeats the value of the one before: the sensor has a rate of its own, near 200 Hz. Chosen: 250 Hz,
-# so that this is so at 500 Hz too.
+# repeats the value of the one before: the sensor has a rate of its own, near 200 Hz. Chosen:
+# 250 Hz, so that this is so at 500 Hz too.
 ACCELEROMETER_PERIOD = 0.004
 # [s] Time constant with which the measured foot force follows a falling force. In the Go1 log,
 # counts fall from 100 or 200 to 10 within 15 to 20 ms after the calf has begun to lift the foot.
