@@ -30,6 +30,9 @@ IMPROVEMENTS = {"order": 0.5, "delay": 0.5}
 # Smallest fault that counts. Chosen: what an estimate does not survive unharmed, and several times
 # what sole radius, mounting and calibration cause.
 MIN_SCALE = 1.25  # ratio of the gyroscope to the legs, or its inverse
+# Smallest error of a gyroscope's scale, in its standard deviations. Chosen: about an axis that
+# hardly turns, as the pitch axis of a b1 that trots, a healthy log gives 2.7.
+GAIN_SIGMAS = 3.0
 MIN_GYRO_BIAS = 0.08  # [rad/s]
 MIN_ACCELEROMETER_BIAS = 0.6  # [m/s^2]
 MIN_CALF_OFFSET = 0.07  # [rad]
@@ -82,7 +85,8 @@ def _is_proven(healthy: Fit, best: Fit) -> bool:
     """Return whether a fault explains a log clearly better than healthy sensors."""
     better = np.log(healthy.rms / np.maximum(best.rms, 1e-12)).max()
     evidence = ERROR_EVIDENCE if _is_error(best) else MIN_EVIDENCE
-    return bool(healthy.cost - best.cost > evidence and better >= IMPROVEMENTS.get(best.fault, 0.0))
+    least = IMPROVEMENTS.get(best.fault, -np.inf)
+    return bool(healthy.cost - best.cost > evidence and better >= least)
 
 
 def _is_error(fit: Fit) -> bool:
@@ -110,7 +114,10 @@ def _describe(fit: Fit) -> str | None:
         late, other = ("IMU is", "joints") if fit.delay > 0.0 else ("joints are", "IMU")
         return f"the {late} late by {1000.0 * abs(fit.delay):.0f} ms against the {other}"
     if fit.fault.startswith("gain"):
-        return _describe_gain("xyz"[FAULTS[fit.fault][0]], _gain(fit))
+        (column,) = FAULTS[fit.fault]
+        if abs(fit.x[column]) < GAIN_SIGMAS * fit.sigma[column]:
+            return None
+        return _describe_gain("xyz"[column], _gain(fit))
     x = fit.x[FAULTS[fit.fault]]
     if fit.fault.startswith("calf"):
         small = abs(x[0]) < MIN_CALF_OFFSET

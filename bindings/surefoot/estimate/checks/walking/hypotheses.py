@@ -56,6 +56,7 @@ class Fit:
         fault: Key of FAULTS, "healthy", "order" or "delay".
         cost: Negative logarithm of the likelihood, up to a constant.
         x: (PARAMETERS,) parameters.
+        sigma: (PARAMETERS,) standard deviations of x.
         rms: RMS of the residuals of each identity.
         order: Order of the legs.
         delay: Delay of the IMU against the legs [s].
@@ -64,6 +65,7 @@ class Fit:
     fault: str
     cost: float
     x: Array
+    sigma: Array
     rms: Array
     order: Order = LOGGED
     delay: float = 0.0
@@ -122,9 +124,9 @@ def fit(
         for e in equations:
             residual = e.y + e.C @ x
             size = np.linalg.norm(residual, axis=1)
-            sigma = robust_rms(residual)
-            huber = np.minimum(1.0, OUTLIER * sigma / np.maximum(size, 1e-12))
-            weight = np.sqrt(huber * e.count / max(len(size), 1)) / max(sigma, 1e-12)
+            noise = robust_rms(residual)
+            huber = np.minimum(1.0, OUTLIER * noise / np.maximum(size, 1e-12))
+            weight = np.sqrt(huber * e.count / max(len(size), 1)) / max(noise, 1e-12)
             C = (e.C * weight[:, None, None]).reshape(-1, PARAMETERS)
             H += C.T @ C
             g += C.T @ (e.y * weight[:, None]).ravel()
@@ -132,7 +134,8 @@ def fit(
     rms = np.array([robust_rms(e.y + e.C @ x) for e in equations])
     counts = np.array([e.count for e in equations])
     cost = float(counts @ np.log(np.maximum(rms, 1e-12)) + 0.5 * np.sum((x / scale) ** 2))
-    return Fit(fault, cost, x, rms, order, delay)
+    sigma = np.sqrt(np.diag(np.linalg.inv(H)))
+    return Fit(fault, cost, x, sigma, rms, order, delay)
 
 
 def robust_rms(residual: Array) -> float:
