@@ -113,7 +113,9 @@ struct Gains {
   // Gait walk: one foot swings at a time.
   double walk_gait_period = 6.0;  ///< [sqrt(h/g)] gait_period of the gait walk
   double walk_gait_duty = 0.8;    ///< [1] share of the period in which a foot stands, gait walk
-  /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk.
+  /// [h] Distance of the zero-moment point from the edges of the support triangle, gait walk. With
+  /// 0.12 the sway of a b1 reaches 0.066 m/s RMS; with 0.09 it has fewer than three feet loaded in
+  /// 6 % of a walk to the side.
   double walk_gait_margin = 0.1;
   double walk_gait_swing_height = 0.2;  ///< [h] swing_height of the gait walk
   double walk_gait_speed = 0.15;        ///< [sqrt(g h)] greatest commanded speed, gait walk

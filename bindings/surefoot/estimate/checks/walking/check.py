@@ -30,13 +30,13 @@ IMPROVEMENTS = {"order": 0.5, "delay": 0.5}
 # Smallest fault that counts. Chosen: what an estimate does not survive unharmed, and several times
 # what sole radius, mounting and calibration cause.
 MIN_SCALE = 1.25  # ratio of the gyroscope to the legs, or its inverse
-# Smallest error of a gyroscope's scale, in its standard deviations. Chosen: about an axis that
-# hardly turns, as the pitch axis of a b1 that trots, a healthy log gives 2.7.
-GAIN_SIGMAS = 3.0
 MIN_GYRO_BIAS = 0.08  # [rad/s]
 MIN_ACCELEROMETER_BIAS = 0.6  # [m/s^2]
 MIN_CALF_OFFSET = 0.07  # [rad]
 MIN_DELAY = 0.01  # [s]
+# Smallest error of a gyroscope's scale, in its standard deviations. Chosen: about an axis that
+# hardly turns, as the pitch axis of a b1 that trots, a healthy log gives 2.7.
+GAIN_SIGMAS = 3.0
 _BIASES = {
     "gyroscope": ("rad/s", MIN_GYRO_BIAS),
     "accelerometer": ("m/s^2", MIN_ACCELEROMETER_BIAS),
