@@ -17,9 +17,6 @@ from surefoot.sim import Plant
 from surefoot.walk.slip import slip_velocities
 
 COMMAND_SETTLING, PUSH_SETTLING = 1.0, 2.0  # [s] times whose tracking error does not count
-# Level of the power protection. Level 5 carries walks on level ground, but a pushed robot that
-# steps off an edge trips it.
-POWER_LEVEL = 10
 CHECK_TICKS = 10  # [ticks] interval of the checks of faults and falls
 SLIP_WINDOW = 100  # [ticks] time before the fault "slip" in which a true slide is looked for
 MIN_SLIDE = 0.005  # [m] path of a loaded foot along the ground in that time from which on it slid
@@ -63,6 +60,7 @@ class EpisodeRun:
 
     Args:
         robot: Name of the robot.
+        power_level: Level of the power protection; 0: off.
         seed: Seed of all that is drawn.
         duration: Time of the episode [s].
 
@@ -73,12 +71,12 @@ class EpisodeRun:
         episode: Figures so far.
     """
 
-    def __init__(self, robot: str, seed: int, duration: float) -> None:
+    def __init__(self, robot: str, power_level: int, seed: int, duration: float) -> None:
         rng = np.random.default_rng([seed, 21])
         ground, settings = random_ground(robot, seed, rng)
         self.plant = Plant(robot, settings)
         self._state = self.plant.reset()
-        options = SupervisorOptions(power_level=POWER_LEVEL, start=Start.STANDING)
+        options = SupervisorOptions(power_level=power_level, start=Start.STANDING)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self.walk = RandomWalk(self.plant, ground, duration, rng)
         for push in self.walk.pushes:

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 
 def test_go1_walks_at_random_velocities_on_level_ground(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(random_walk, "GROUNDS", ("level",))
-    episode = run_episode(("go1", 3), duration=9.0)
+    episode = run_episode(("go1", 10, 3), duration=9.0)
     result = summary("go1", {3: episode})
     assert result["failures"] == {}, text(result)
     assert result["walking_ticks"] > 2000
@@ -29,13 +29,13 @@ def test_go1_walks_at_random_velocities_on_level_ground(monkeypatch: pytest.Monk
 
 def test_push_beyond_the_limit_is_a_failure_with_its_seed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(random_walk, "PUSH_SHARE", (4.0, 5.0))
-    result = summary("go1", {3: run_episode(("go1", 3), duration=15.0)})
+    result = summary("go1", {3: run_episode(("go1", 10, 3), duration=15.0)})
     assert list(result["failures"]) == [3]
     assert "DAMPING" in text(result) or "fell" in text(result)
 
 
 def test_an_episode_repeats_exactly() -> None:
-    first, second = (run_episode(("go1", 5), duration=4.0) for _ in range(2))
+    first, second = (run_episode(("go1", 10, 5), duration=4.0) for _ in range(2))
     first.tick_us = second.tick_us = {}
     assert first == second
 
