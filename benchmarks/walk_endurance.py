@@ -8,9 +8,10 @@
 Each episode is a minute with the sensor errors, soles and collisions of a walking robot. Its seed
 draws everything (random_walk.py) and reproduces it alone. The robot has no fault: an episode fails
 if the robot falls, or if a fault with a reaction begins; the fault "slip" may be true and does not
-end an episode. The power protection is at level 10, the highest of the SDK: level 5 carries walks on
-level ground, but a pushed robot that steps off an edge trips it. A tick's time is thread CPU time. The tracking error is that of the true velocity,
-from 1 s after each command and 2 s after each push on, against the clamped command.
+end an episode. The power protection is at level 10, the highest of the SDK: level 5 carries walks
+on level ground, but a pushed robot that steps off an edge trips it. A tick's time is thread CPU
+time. The tracking error is that of the true velocity, from 1 s after each command and 2 s after
+each push on, against the clamped command.
 """
 
 from __future__ import annotations
