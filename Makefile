@@ -13,7 +13,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL ?= 2
 SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
   $(shell find controller bindings/src bindings/surefoot benchmarks cmake models -type f -not -name '*.pyc')
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
-  "nanobind>=2.9,<4" "casadi==3.8.2" "cmake>=3.22" "ninja>=1.11"
+  "nanobind>=2.9,<4" "cmake>=3.22" "ninja>=1.11"
 
 .PHONY: install stand walk test docs tests-cpp check generate lint sanitize fuzz clean
 
@@ -80,21 +80,21 @@ docs: install .venv/.docs
 	$(BIN)/python docs/tools/run_blocks.py
 
 tests-cpp: install
-	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
+	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON -DSUREFOOT_GENERATOR=ON > build/configure.log 2>&1 \
+	  || (cat build/configure.log; false)
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz \
-	  surefoot_dds_tests surefoot_dds_fuzz surefoot_dds_allocations stall_tolerant_clock
+	  surefoot_dds_tests surefoot_dds_fuzz surefoot_dds_allocations stall_tolerant_clock \
+	  surefoot_print_leg_source
 	cd $(BUILD) && ctest --output-on-failure
 
 test: .venv/.dds tests-cpp .venv/.browser .venv/.docs
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not real_time"; status=$$?; \
 	  $(STALL_TOLERANT) $(BIN)/python -m pytest -m real_time && exit $$status
 
-# Generate the committed code of a tick's dynamics from bindings/src/symbolic; a test compares them.
-GENERATED := controller/src/dynamics/generated/leg_dynamics.hpp
+# Generate the committed code of a tick's dynamics, controller/src/dynamics/generated; a C++ test compares them.
 generate: install
-	$(BIN)/python -c "from surefoot import _symbolic; print(_symbolic.leg_source(), end='')" \
-	  > build/leg_dynamics.hpp
-	mv build/leg_dynamics.hpp $(GENERATED)
+	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_GENERATOR=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
+	$(BIN)/cmake --build $(BUILD) --target surefoot_generate
 
 # Before every commit: lint, types, and the tests that take seconds; tests/README.md has the marks.
 check: lint tests-cpp

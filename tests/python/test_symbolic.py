@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot.symbolic and the generated dynamics, compared with Pinocchio."""
+"""surefoot.symbolic, compared with Pinocchio."""
 
 from __future__ import annotations
 
 import builtins
-from pathlib import Path
 
 import numpy as np
 import pinocchio as pin
 import pytest
 import surefoot
-from surefoot import _symbolic, symbolic
-
-LEG_DYNAMICS = Path(__file__).parents[2] / "controller/src/dynamics/generated/leg_dynamics.hpp"
+from surefoot import symbolic
 
 
 class Motion:
@@ -85,6 +82,46 @@ def test_derivatives_match_pinocchio(body, motion):
         assert_same(value, np.array(matrix))
 
 
+# Joints that no robot of ours has: a wheel, whose coordinates are cosine and sine, a lift on a
+# tilted axis, and a wheel on this lift.
+@pytest.fixture
+def robot_with_lift(go1):
+    model = pin.Model()
+    model.loadFromString(go1.robot.serialized_model())
+    rng = np.random.default_rng(3)
+    pin.seed(3)
+    placement = pin.SE3(pin.exp3(np.array([0.3, 0.5, -0.2])), np.array([0.05, -0.02, 0.1]))
+    lift = pin.JointModelPrismaticUnaligned(np.array([0.6, 0.0, 0.8]))
+    parent = 1
+    for name, joint in (
+        ("wheel", pin.JointModelRUBZ()),
+        ("lift", lift),
+        ("top", pin.JointModelRUBX()),
+    ):
+        parent = model.addJoint(1 if name == "lift" else parent, joint, pin.SE3.Random(), name)
+        model.appendBodyToJoint(parent, pin.Inertia.FromBox(0.4, 0.1, 0.2, 0.1), placement)
+        model.armature[model.idx_vs[parent]] = rng.uniform()
+    config = go1.robot.config
+    return type(go1)(surefoot.Robot.from_serialized_model(model.saveToString(), config))
+
+
+def test_wheels_and_prismatic_joints_match_pinocchio(robot_with_lift):
+    body = robot_with_lift
+    motion = Motion(body)
+    q, v = motion.q, motion.v
+    assert q.size == 19 + 5 and v.size == 18 + 3
+    tau = pin.rnea(body.model, body.data, q, v, motion.a)
+    assert_same(symbolic.inverse_dynamics(body.robot)(q, v, motion.a), tau)
+    a = pin.aba(body.model, body.data, q, v, motion.tau)
+    assert_same(symbolic.forward_dynamics(body.robot)(q, v, motion.tau), a)
+    pin.ccrba(body.model, body.data, q, v)
+    assert_same(symbolic.centroidal_matrix(body.robot)(q), body.data.Ag)
+    found = symbolic.inverse_dynamics_derivatives(body.robot)(q, v, motion.a)
+    expected = pin.computeRNEADerivatives(body.model, body.data, q, v, motion.a)
+    for value, matrix in zip(found, expected, strict=True):
+        assert_same(value, matrix)
+
+
 def test_functions_accept_casadi_symbols(go1):
     import casadi
 
@@ -105,10 +142,6 @@ def test_without_casadi_the_error_names_the_extra(go1, monkeypatch):
     monkeypatch.setattr(builtins, "__import__", without_casadi)
     with pytest.raises(surefoot.Error, match=r"pip install surefoot\[tune\]"):
         symbolic.bias(go1.robot)
-
-
-def test_generated_dynamics_file_is_up_to_date():
-    assert LEG_DYNAMICS.read_text() == _symbolic.leg_source(), "run `make generate`"
 
 
 # The controller's torques in random states must satisfy the equations of motion.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "symbolic/leg_model.hpp"
+#include "dynamics/generator/leg_model.hpp"
 
-#include "symbolic/scalar.hpp"
-
-// These headers come after scalar.hpp, because Pinocchio's CasADi header must come first.
+// clang-format off: Pinocchio's CasADi header must come before all other headers of Pinocchio.
+#include <pinocchio/autodiff/casadi.hpp>
+#include <pinocchio/multibody.hpp>
+// clang-format on
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
-namespace surefoot::symbolic {
+namespace surefoot::generator {
 
 // Joint types of a base with one leg, and the mimic joint, which ModelTpl requires. Pinocchio's
 // default list has two dozen types, and each type costs seconds of compile time.
@@ -27,6 +28,10 @@ struct LegJoints {
 
 namespace {
 
+using casadi::SX;
+using VectorX = Eigen::Matrix<SX, Eigen::Dynamic, 1>;
+using Vector3 = Eigen::Matrix<SX, 3, 1>;
+using Matrix3 = Eigen::Matrix<SX, 3, 3>;
 using LegModel = pinocchio::ModelTpl<SX, 0, LegJoints>;
 using LegData = pinocchio::DataTpl<SX, 0, LegJoints>;
 
@@ -170,4 +175,4 @@ LegExpressions leg_expressions() {
   return out;
 }
 
-}  // namespace surefoot::symbolic
+}  // namespace surefoot::generator

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace surefoot::symbolic {
+namespace surefoot::generator {
 
 /// One field of LegExpressions::results.
 struct Field {
@@ -35,4 +35,4 @@ struct LegExpressions {
 /// x, thigh y, calf y, and no joint placement is rotated.
 LegExpressions leg_expressions();
 
-}  // namespace surefoot::symbolic
+}  // namespace surefoot::generator

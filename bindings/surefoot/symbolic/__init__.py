@@ -1,11 +1,11 @@
 """CasADi functions of a robot, for planners, identification and tuning.
 
-Each function here returns one ``casadi.Function`` built from Pinocchio's algorithms; armature is
-included. q and v are as in Pinocchio (see ``Robot``): base twist in base axes, joints in
-Pinocchio's order. Forces and positions are in world axes unless stated otherwise. Feet are ordered
-FR FL RR RL; their positions are those of the foot centres. Derivatives with respect to q are
-tangent derivatives, with the shape and axes of v; CasADi's own derivatives are with respect to the
-numbers in q. The quaternion must have unit length.
+Each function here returns one ``casadi.Function``; armature is included. q and v are as in
+Pinocchio (see ``Robot``): base twist in base axes, joints in Pinocchio's order. Forces and
+positions are in world axes unless stated otherwise. Feet are ordered FR FL RR RL; their positions
+are those of the foot centres. Derivatives with respect to q are tangent derivatives, with the shape
+and axes of v; CasADi's own derivatives are with respect to the numbers in q. The quaternion must
+have unit length.
 
 Building a function takes up to a second. It can be evaluated with numbers, SX or MX. Needs CasADi:
 ``pip install surefoot[tune]``. Real-time: no.
@@ -13,7 +13,6 @@ Building a function takes up to a second. It can be evaluated with numbers, SX o
 
 from __future__ import annotations
 
-from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Robot
@@ -160,17 +159,11 @@ def centroidal_momentum(robot: Robot) -> casadi.Function:
 
 def _function(robot: Robot, name: str) -> casadi.Function:
     try:
-        import casadi
+        import casadi  # noqa: F401
     except ImportError:
         raise Error(
             "surefoot.symbolic needs CasADi, which is missing: pip install surefoot[tune]"
         ) from None
-    try:
-        from surefoot import _symbolic
-    except ImportError as problem:
-        raise Error(
-            f"surefoot.symbolic cannot be loaded with CasADi {version('casadi')}: {problem}; "
-            "expected the version of: pip install surefoot[tune]"
-        ) from None
-    text = _symbolic.robot_function(robot.serialized_model(), robot.foot_frame_ids, name)
-    return casadi.Function.deserialize(text.decode("latin-1"))
+    from surefoot.symbolic.functions import robot_function
+
+    return robot_function(robot, name)

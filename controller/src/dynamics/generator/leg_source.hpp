@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace surefoot::symbolic {
+namespace surefoot::generator {
 
 /// Return the text of controller/src/dynamics/generated/leg_dynamics.hpp.
 std::string leg_source();
 
-}  // namespace surefoot::symbolic
+}  // namespace surefoot::generator
