@@ -66,11 +66,11 @@ BOOST_FIXTURE_TEST_CASE(foot_lands_early_only_in_the_last_part_of_its_swing, Con
   until_progress(0.55);
   BOOST_TEST((contacts.phase(FL_) == FootPhase::kSwing));  // in contact all the time
   until_progress(0.65);
-  BOOST_TEST((contacts.phase(FL_) == FootPhase::kEarlyStance));
+  BOOST_TEST((contacts.phase(FL_) == FootPhase::kEarlyTouchdown));
   BOOST_TEST(landings == 1);
   contact[FL_] = 0.5;  // it stays down
   until_progress(0.9);
-  BOOST_TEST((contacts.phase(FL_) == FootPhase::kEarlyStance));
+  BOOST_TEST((contacts.phase(FL_) == FootPhase::kEarlyTouchdown));
   BOOST_TEST(contacts.load(FL_) == 0.2);
   contact[FL_] = 1.0;
   until(FootPhase::kStance);
@@ -80,7 +80,7 @@ BOOST_FIXTURE_TEST_CASE(foot_lands_early_only_in_the_last_part_of_its_swing, Con
 BOOST_FIXTURE_TEST_CASE(late_foot_has_little_load_until_it_lands, ContactsFixture) {
   until(FootPhase::kSwing);
   contact[FL_] = 0.0;
-  until(FootPhase::kLateSwing);
+  until(FootPhase::kLateTouchdown);
   BOOST_TEST((landings == 0 && losses == 0));
   for (int k = 0; k < 15; ++k) tick();
   BOOST_TEST(contacts.late(clock, 0.0));
@@ -126,7 +126,7 @@ BOOST_FIXTURE_TEST_CASE(stance_foot_that_loses_the_ground_reaches_for_it, Contac
   BOOST_TEST(contacts.others_in_stance(-1));  // hysteresis
   contact[FL_] = 0.2;
   tick();
-  BOOST_TEST((contacts.phase(FL_) == FootPhase::kLateSwing && losses == 1));
+  BOOST_TEST((contacts.phase(FL_) == FootPhase::kLateTouchdown && losses == 1));
   BOOST_TEST((contacts.load(FL_) == 0.1 && contacts.late(clock, 0.0) && !contacts.in_stance(FL_)));
   tick();
   BOOST_TEST(losses == 1);

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_SUITE(gait_walk)
 BOOST_FIXTURE_TEST_CASE(feet_of_a_walk_swing_one_at_a_time, GaitWalkFixture) {
   count({0.1, 0.0, 0.0}, 5.0);
   BOOST_TEST((reference.stepping && planner.walking()));
-  BOOST_TEST(ticks[1] > 1000);  // a foot that stays on the ground is in early stance after 60 %
+  BOOST_TEST(ticks[1] > 1000);  // a foot that stays on the ground has touched down early after 60 %
   BOOST_TEST(ticks[2] + ticks[3] + ticks[4] == 0);
 }
 
@@ -78,7 +78,7 @@ BOOST_FIXTURE_TEST_CASE(order_changes_with_the_direction_of_motion, GaitWalkFixt
   for (const WalkVelocity& velocity :
        {WalkVelocity{0.15, 0.0, 0.0}, WalkVelocity{0.0, 0.15, 0.0}, WalkVelocity{0.0, 0.0, 0.4}}) {
     count(velocity, 3.0);
-    BOOST_TEST(ticks[1] > 600);  // of 1500; early stances shorten the swings of a robot at rest
+    BOOST_TEST(ticks[1] > 600);  // of 1500; early touchdowns shorten the swings of a robot at rest
     BOOST_TEST(ticks[2] + ticks[3] + ticks[4] == 0);
   }
 }
@@ -92,6 +92,22 @@ BOOST_FIXTURE_TEST_CASE(pushed_walk_trots_and_then_walks_again, GaitWalkFixture)
   push.setZero();
   count(velocity, 2.0);
   count(velocity, 2.0);
+  BOOST_TEST((ticks[1] > 400 && ticks[2] == 0));
+}
+
+// All feet stand before a trot becomes a walk; a robot that tips must step instead.
+BOOST_FIXTURE_TEST_CASE(pushed_trot_becomes_a_walk_when_the_push_is_braked, GaitWalkFixture) {
+  planner.set_gait(gains, Gait::kTrot);
+  count({}, 1.0);
+  push.y() = 0.5;
+  count({}, 0.05);
+  planner.set_gait(gains, Gait::kWalk);
+  count({0.02, 0.0, 0.0}, 0.3);
+  count({0.02, 0.0, 0.0}, 0.3);
+  BOOST_TEST(ticks[2] > 40);
+  push.setZero();
+  count({0.02, 0.0, 0.0}, 2.0);
+  count({0.02, 0.0, 0.0}, 2.0);
   BOOST_TEST((ticks[1] > 400 && ticks[2] == 0));
 }
 

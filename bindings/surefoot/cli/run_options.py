@@ -41,7 +41,8 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
         type=int,
         default=1,
         metavar="N",
-        help="level of the power protection, N x 100 W: 1 .. 10; 0 switches it off (1)",
+        help="level of the power protection, N x 100 W: 1 .. 10; 0 switches it off; a walk needs "
+        "2 or more, that of a b1 5 or more (1)",
     )
     add(
         "--power-limit",

@@ -58,7 +58,8 @@ struct EstimatorReport {
   /// Viscous friction of each joint, learnt from legs that swing [N.m.s/rad], SDK motor order.
   /// Initially 0.
   Vector12 joint_damping = Vector12::Zero();
-  /// Coulomb friction of each joint, learnt from legs that swing [N.m], SDK motor order. Initially 0.
+  /// Coulomb friction of each joint, learnt from legs that swing [N.m], SDK motor order. Initially
+  /// 0.
   Vector12 joint_friction = Vector12::Zero();
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] bias of the gyroscope, base axes

@@ -27,9 +27,9 @@ struct PlannerInput {
   FeetMatrix p_feet;     ///< [m] contact points of rigid soles, FR FL RR RL
   FeetMatrix v_feet;     ///< [m/s] velocities of the contact points, FR FL RR RL
   /// [m] Depth by which each sole has yielded along the normal of the ground, FR FL RR RL: the
-  /// ground without load is higher than p_feet by it.
+  /// unloaded ground is this far above p_feet.
   Eigen::Vector4d sole_sink;
-  /// Leg that was given up, 0 .. 3, or -1. The controller plans no load for its foot, whatever the
+  /// Lost leg, 0 .. 3, or -1. The controller plans no load for its foot, whatever the
   /// planner writes.
   int lost_leg;
 };
@@ -41,14 +41,14 @@ class Planner {
   virtual ~Planner() = default;
   /// Write the reference of this tick. Fields that are not written keep the values of the last
   /// valid reference. Before the first one, the reference is a default Reference with the standing
-  /// pose as posture, so that its elements can be written without allocation. Called in every tick
+  /// pose as posture; its elements can be written without allocation. Called in every tick
   /// with a good estimate of a robot that has not fallen. Real-time: required.
   /// @return false to end the tick with Status::kBadReference, else true. A number that is not
   /// finite also ends the tick with kBadReference. Then the tick tries the fallback levels with the
   /// last valid reference. Before the first valid reference, the motors damp.
   virtual bool plan(const PlannerInput& input, Reference& reference) noexcept = 0;
-  /// Forget everything: the next plan() is the first of a new start. Controller::reset() calls this
-  /// function. Real-time: required.
+  /// Clear the planner's state: the next plan() is the first of a new start. Controller::reset()
+  /// calls this function. Real-time: required.
   virtual void reset() noexcept = 0;
 };
 

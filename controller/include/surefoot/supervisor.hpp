@@ -61,8 +61,9 @@ struct SupervisorOptions {
 ///
 /// Walking. In the mode kWalk the robot follows set_velocity(), and stands at velocity 0. It
 /// returns to kStand on request(kStand), when the velocity has expired, or for a fault that stops
-/// walking. Before it stands or sits down, it stops on four feet. If it has not stopped within 1.5
-/// s, it sits down all the same. stop() and faults that damp act at once, in any phase of the gait.
+/// walking. Before it stands or sits down, it stops on four feet. A robot that shall sit down and
+/// has not stopped within 1.5 s sits down all the same. stop() and faults that damp act at once, in
+/// any phase of the gait.
 ///
 /// Torques fade between modes within 0.25 s; damping after a stop or a fault starts at once.
 /// fault_table() lists the faults and the reactions to them.

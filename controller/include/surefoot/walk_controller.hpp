@@ -9,8 +9,8 @@ namespace surefoot {
 /// Options of a WalkController: fixed at construction, unlike gains.
 struct WalkOptions {
   ControllerOptions tick = {};  ///< options of the tick
-  /// [s] Age above which a commanded velocity becomes 0, 0.01 .. 60: a program that ends does not
-  /// leave the robot walking.
+  /// [s] Age above which a commanded velocity becomes 0, 0.01 .. 60. So the robot stops if the
+  /// calling program ends.
   double velocity_timeout = 0.5;
 
   /// Throw surefoot::Error if an option is out of range; the message names it.
@@ -19,11 +19,11 @@ struct WalkOptions {
 
 /// A StandController that also walks: LowState and a velocity in, LowCmd out.
 ///
-/// At velocity 0 it stands. At another velocity it trots, or with Gait::kWalk walks with three feet
-/// down. Footholds follow the measured velocity, so its steps brake pushes. Height, roll and pitch
-/// of set_body_reference() apply while it steps, relative to the standing pose. When the velocity
-/// is 0 again, it steps until its feet are in the nominal stance, and stands. With a lost leg it
-/// only stands.
+/// At velocity 0 it stands; with Gait::kTrot it trots on the spot. At another velocity it trots, or
+/// with Gait::kWalk walks with three feet down. Footholds follow the measured velocity, so steps
+/// brake pushes. Height, roll and pitch of set_body_reference() apply while it steps, relative to
+/// the standing pose. When the velocity is 0 again, it steps until it can stand in the nominal
+/// stance. With a lost leg it only stands.
 class WalkController : public StandController {
  public:
   /// Create a controller with RobotConfig::gains and default options. Throws surefoot::Error if the
@@ -40,13 +40,14 @@ class WalkController : public StandController {
   /// clamped to the gains walk_speed_forward, walk_speed_backward, walk_speed_sideways and
   /// walk_turn_speed, in the gait kWalk to walk_gait_speed and walk_gait_turn_speed. Then all three
   /// are reduced to what can be combined, and to what ControllerOptions::power_limit carries. A
-  /// velocity with a NaN or an infinity is ignored. velocity_limit() reports both. Real-time: yes.
+  /// velocity with a NaN or an infinity is ignored. velocity_limit() has the last limit that acted,
+  /// or kNotFinite. Real-time: yes.
   void set_velocity(const WalkVelocity& velocity) noexcept;
   /// Return the commanded velocity: clamped, and 0 after the timeout. Real-time: yes.
   WalkVelocity commanded_velocity() const noexcept;
   /// Return the planned velocity, which approaches commanded_velocity(). Real-time: yes.
   WalkVelocity reference_velocity() const noexcept;
-  /// Return the limit of the last set_velocity(). Real-time: yes.
+  /// Return the limit that reduced the commanded velocity, in the present gait. Real-time: yes.
   WalkLimit velocity_limit() const noexcept;
 
   /// Set the gait from the next tick on. Real-time: yes.
@@ -57,8 +58,8 @@ class WalkController : public StandController {
   /// reset(). Real-time: yes.
   bool velocity_expired() const noexcept;
   /// Whether the motors can carry the robot in the standing pose on two diagonal feet, with at most
-  /// 0.8 of their torque limits. A robot that cannot walk only stands. Only a Supervisor has a
-  /// WalkController for such a robot. Real-time: yes.
+  /// 0.8 of their torque limits. If not, the controller only stands; only a Supervisor has such a
+  /// controller, because the public constructors throw. Real-time: yes.
   bool can_walk() const noexcept;
   /// Footholds FR FL RR RL, world frame of state() [m]: where each foot lands or has landed.
   /// Real-time: yes.

@@ -12,11 +12,11 @@ struct WalkVelocity {
 
 /// Limit to which a commanded velocity was clamped.
 enum class WalkLimit {
-  kNone,         ///< no limit: the command is within reach
+  kNone,         ///< the command was not clamped
   kForward,      ///< vx: gains walk_speed_forward and walk_speed_backward; walk: walk_gait_speed
   kSideways,     ///< vy: gain walk_speed_sideways; walk: walk_gait_speed
   kTurn,         ///< yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed
-  kCombination,  ///< all: the velocities together, or the acceleration of the body in a curve
+  kCombination,  ///< all: the sum of the shares of the limits, or the acceleration in a curve
   kPower,        ///< all: the power that ControllerOptions::power_limit allows
   kNotFinite     ///< the command has a NaN or an infinity; the previous one stays in force
 };

@@ -10,23 +10,24 @@ namespace surefoot {
 
 /// The next swing of a foot, as planned. Times are from now on [s], positions in the world [m].
 struct NextSwing {
-  double begin;          ///< lift-off; 0 while the foot swings
+  double begin;          ///< lift-off; 0 while the foot swings; infinite in a trot
   double end;            ///< touchdown
   double landed;         ///< time since the last touchdown; 0 while the foot swings
-  Eigen::Vector2d from;  ///< where the foot stands now, or lifted off
-  Eigen::Vector2d to;    ///< where it will land
+  Eigen::Vector2d from;  ///< present contact point
+  Eigen::Vector2d to;    ///< foothold
 };
 
 /// Sway of the body: the displacement of the centre of mass from the body trajectory that keeps the
 /// zero-moment point (ZMP) inside the support triangles while single feet swing. Real-time: yes.
 ///
-/// The planned ZMP is the point nearest to that of the body trajectory which is a margin inside the
-/// support triangle; between two swings it moves linearly. The sway is the motion of the linear
-/// inverted pendulum for the planned ZMP over the preview: its divergent component (DCM) is the
-/// solution that stays bounded. Source: Englsberger, Ott, Albu-Schaeffer 2015 (DCM planning).
+/// The support triangle is shrunk by a margin. The planned ZMP is the point of the shrunk triangle
+/// that is nearest to the ZMP of the body trajectory; between two swings it moves linearly. The
+/// divergent component of motion (DCM) of the sway is the bounded solution of the linear inverted
+/// pendulum for the planned ZMP over the preview. Source: Englsberger, Ott, Albu-Schaeffer 2015
+/// (DCM planning).
 class BodySway {
  public:
-  /// Motion of the body trajectory, without sway, and what its ZMP may do.
+  /// Motion of the body trajectory, without sway, and the limits of its ZMP.
   struct Input {
     Eigen::Vector2d p, v, a;  ///< body trajectory now, world [m], [m/s], [m/s^2]
     std::array<NextSwing, kLegs> swings;

@@ -13,7 +13,9 @@ namespace {
 // of a walk that is not pushed. If larger: after a push the robot rushes back.
 constexpr double kMaxDistance = 0.17;  // [h]
 constexpr double kMaxTurn = 0.1;       // [rad]
-constexpr double kHeightTime = 0.2;    // [s] time constant of the approach to the standing height
+// [s] Time constant with which the body approaches the standing height. Chosen: a period of the
+// stepping that begins.
+constexpr double kHeightTime = 0.2;
 
 double approached(double value, double target, double step) noexcept {
   return value + std::clamp(target - value, -step, step);

@@ -12,7 +12,7 @@
 
 namespace surefoot {
 
-/// Horizontal motion and heading of the measured body, world axes.
+/// Horizontal motion and heading of a body, measured or planned, world axes.
 struct HorizontalMotion {
   Eigen::Vector2d p_com, v_com;  ///< [m], [m/s]
   double yaw;                    ///< [rad]
@@ -21,17 +21,18 @@ struct HorizontalMotion {
 /// Trajectory of the body of a walking robot. Real-time: yes.
 ///
 /// Its velocity approaches the command with limited acceleration. Its position integrates the
-/// velocity, but stays near the measured body: after a push the robot does not rush back. The
-/// centre of mass stays at the height of the standing pose over the ground plane, along gravity;
-/// the base is parallel to the ground plane, but for the offset that a BodyReference requests.
+/// velocity, but stays near the measured body, so that the robot does not rush back after a push.
+/// The centre of mass stays at the height of the standing pose over the ground plane, along
+/// gravity; the base is parallel to the ground plane, but for the offset that a BodyReference
+/// requests.
 class BodyTrajectory {
  public:
   explicit BodyTrajectory(const GaitSize& size) : size_(size) {}
 
   /// Begin at the measured state, at velocity 0.
   void start(const HorizontalMotion& measured, double height) noexcept;
-  /// @param acceleration_share share, 0 .. 1, of the gains walk_acceleration and
-  ///   walk_turn_acceleration that may be used
+  /// @param acceleration_share factor, 0 .. 1, on the gains walk_acceleration and
+  ///   walk_turn_acceleration
   void update(const Gains& gains, const WalkVelocity& command, const HorizontalMotion& measured,
               double acceleration_share, double dt) noexcept;
   /// Write the body's part of the reference, `ahead` seconds later than this tick.
@@ -45,7 +46,7 @@ class BodyTrajectory {
   Eigen::Vector2d v_world() const noexcept { return v_; }              ///< [m/s]
   Eigen::Vector2d a_world() const noexcept { return a_; }              ///< [m/s^2]
   double yaw() const noexcept { return yaw_; }                         ///< [rad]
-  /// The change of velocity towards the command, without what turns the velocity in a curve.
+  /// The change of velocity towards the command, without the centripetal acceleration of a curve.
   const VelocityChange& change() const noexcept { return change_; }
 
  private:

@@ -30,13 +30,13 @@ void FootContacts::update(const GaitClock& clock, const Eigen::Vector4d& contact
     phase_[leg] = lifting[leg] ? FootPhase::kSwing : next_phase(leg, clock, contact[leg]);
     lifted_off_[leg] = last != FootPhase::kSwing && phase_[leg] == FootPhase::kSwing;
     landed_[leg] = !was_in_stance && in_stance(leg);
-    lost_[leg] = was_in_stance && phase_[leg] == FootPhase::kLateSwing;
+    lost_[leg] = was_in_stance && phase_[leg] == FootPhase::kLateTouchdown;
     double target = 0.0;
     if (phase_[leg] == FootPhase::kStance)
       target = std::min(1.0, clock.time_to_liftoff(leg) / kLoadRamp);
     // A foot that bounces after an early landing carries nothing until it is down again.
-    if (phase_[leg] == FootPhase::kEarlyStance && contact[leg] > kLost) target = kEarlyLoad;
-    if (phase_[leg] == FootPhase::kLateSwing) target = kLateLoad;
+    if (phase_[leg] == FootPhase::kEarlyTouchdown && contact[leg] > kLost) target = kEarlyLoad;
+    if (phase_[leg] == FootPhase::kLateTouchdown) target = kLateLoad;
     load_[leg] = std::min(target, load_[leg] + dt / kLoadRamp);
   }
 }
@@ -45,13 +45,13 @@ FootPhase FootContacts::next_phase(int leg, const GaitClock& clock, double conta
   const FootPhase last = phase_[leg];
   if (clock.in_swing(leg)) {
     const bool landed = contact > kLanded && clock.swing_progress(leg) > kEarliestLanding;
-    if (last == FootPhase::kEarlyStance || (last == FootPhase::kSwing && landed)) {
-      return FootPhase::kEarlyStance;
+    if (last == FootPhase::kEarlyTouchdown || (last == FootPhase::kSwing && landed)) {
+      return FootPhase::kEarlyTouchdown;
     }
     return FootPhase::kSwing;
   }
-  if (last == FootPhase::kStance) return contact < kLost ? FootPhase::kLateSwing : last;
-  return contact > kLanded ? FootPhase::kStance : FootPhase::kLateSwing;
+  if (last == FootPhase::kStance) return contact < kLost ? FootPhase::kLateTouchdown : last;
+  return contact > kLanded ? FootPhase::kStance : FootPhase::kLateTouchdown;
 }
 
 bool FootContacts::others_in_stance(int leg) const noexcept {
@@ -65,7 +65,7 @@ bool FootContacts::others_in_stance(int leg) const noexcept {
 bool FootContacts::late(const GaitClock& clock, double min_load) const noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     if (clock.time_to_liftoff(leg) <= kLoadRamp || clock.waits(leg)) continue;
-    if (phase_[leg] == FootPhase::kLateSwing || load_[leg] < min_load) return true;
+    if (phase_[leg] == FootPhase::kLateTouchdown || load_[leg] < min_load) return true;
   }
   return false;
 }

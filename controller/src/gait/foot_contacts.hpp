@@ -10,10 +10,10 @@ namespace surefoot {
 
 /// What a foot does: the schedule of the clock, corrected by the contact confidence.
 enum class FootPhase {
-  kStance,       ///< scheduled to carry load, and in contact
-  kSwing,        ///< scheduled to swing, and in the air
-  kEarlyStance,  ///< landed before its time
-  kLateSwing     ///< scheduled to carry load, and not in contact
+  kStance,          ///< scheduled to carry load, and in contact
+  kSwing,           ///< scheduled to swing, and in the air
+  kEarlyTouchdown,  ///< landed before its time
+  kLateTouchdown    ///< scheduled to carry load, and not in contact
 };
 
 /// Phases and planned loads of all feet. Real-time: yes.
@@ -32,7 +32,7 @@ class FootContacts {
 
   FootPhase phase(int leg) const noexcept { return phase_[leg]; }
   bool in_stance(int leg) const noexcept {
-    return phase_[leg] == FootPhase::kStance || phase_[leg] == FootPhase::kEarlyStance;
+    return phase_[leg] == FootPhase::kStance || phase_[leg] == FootPhase::kEarlyTouchdown;
   }
   bool lifted_off(int leg) const noexcept { return lifted_off_[leg]; }  ///< in this tick
   bool landed(int leg) const noexcept { return landed_[leg]; }          ///< in this tick

@@ -7,11 +7,13 @@ namespace surefoot {
 
 /// Compute where a foot should land, world x and y [m]. Real-time: yes.
 ///
-/// The foot is under its hip in the mean of its stance, shifted by the mean distance of the
-/// zero-moment point from the centre of mass: against the acceleration of the trajectory, for the
-/// part of the stance in which it lasts. To this a distance is added in proportion to the velocity
-/// beyond that of the trajectory (gain foothold_feedback), so that the step brakes what a push has
-/// added.
+/// The foothold is the sum of
+///  - the place of the hip at touchdown,
+///  - the mean displacement of the body over the stance,
+///  - the mean offset of the zero-moment point from the centre of mass, which is opposite to the
+///    planned acceleration,
+///  - foothold_feedback times sqrt(h/g) times the difference between measured and planned velocity,
+///    which brakes a push.
 /// @param time_left until touchdown [s]
 /// @param stance_time above 0 [s]
 /// Sources: Raibert 1986, "Legged robots that balance"; Pratt et al. 2006 (capture point).
@@ -26,8 +28,7 @@ Eigen::Vector2d foothold(const Gains& gains, const GaitSize& size, const Horizon
 Eigen::Vector2d within_reach(const Eigen::Vector2d& last, const Eigen::Vector2d& foothold,
                              double time_left, double dt) noexcept;
 
-/// Move a foothold to the side of its leg if the left and the right leg would touch. Real-time:
-/// yes.
+/// Move a foothold outwards if the left and the right leg would touch. Real-time: yes.
 /// @param yaw heading of the body [rad]
 /// @param across place of the other front foot, or of the other rear foot, world x and y [m]
 Eigen::Vector2d keep_apart(const GaitSize& size, double yaw, int leg,

@@ -18,8 +18,8 @@ struct GaitTiming {
   double swing_time() const noexcept { return (1.0 - duty) * period; }
 };
 
-/// Clock of a gait: the phase of each leg. When a foot should lift off, it stays on the ground and
-/// the clock waits while other feet have not landed. Without the wait, a push that lifts the body
+/// Clock of a gait: the phase of each leg. If a foot is due to lift off while another has not
+/// landed, it stays in stance and the clock waits. Without the wait, a push that lifts the body
 /// would leave no foot on the ground. Real-time: yes.
 class GaitClock {
  public:
@@ -40,12 +40,12 @@ class GaitClock {
     phase_ = fraction(timing.duty - timing.offset[leg]);
   }
 
-  /// Continue the swing of `leg` with another timing, at the same share of the swing. The other
-  /// legs that move with it skip this swing.
+  /// Continue the swing of `leg` with another timing; the share of the swing that is over stays.
+  /// The other legs that move with it skip this swing.
   void continue_swing(const GaitTiming& timing, int leg) noexcept;
 
   /// Advance the phase.
-  /// @param max_wait longest wait for feet that should have landed [s]; 0: no foot is late. After a
+  /// @param max_wait longest wait for feet that should have landed [s]; 0: do not wait. After a
   ///   wait, the feet that waited unload for kUnloadingTime before they lift off
   /// @param stop whether no further foot shall lift off. After `stop`, a foot that skipped its
   ///   swing lifts off one cycle later
@@ -54,7 +54,8 @@ class GaitClock {
   bool in_swing(int leg) const noexcept {
     return phase_of(leg) >= timing_.duty && !grounded_[leg] && !waits_[leg];
   }
-  /// Return whether the leg should lift off, and waits for late feet, or unloads after the wait.
+  /// Return whether the lift-off of the leg is delayed: it waits for late feet, or unloads after
+  /// the wait.
   bool waits(int leg) const noexcept { return waits_[leg]; }
   /// Share of the swing that is over, 0 .. 1; 0 in stance.
   double swing_progress(int leg) const noexcept;

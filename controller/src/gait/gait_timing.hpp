@@ -10,11 +10,11 @@ namespace surefoot {
 
 /// Compute the times of a gait at a velocity. Real-time: yes.
 ///
-/// Two limits change the timing at speed. Stance: the body moves by speed times stance time past a
-/// standing foot; above the gain gait_stance_travel the period shortens. Swing: a foot must get
-/// ahead of the body in the swing time; above the gain gait_swing_speed the duty falls. A duty
-/// below 0.5 makes a flying trot: both pairs are in the air at times. The duty of a walk stays at
-/// 0.75 and above: three feet stand.
+/// Two limits change the timing at speed. The body moves by speed times stance time over a stance
+/// foot; above the gain gait_stance_travel the period is shortened. A swing foot must get ahead of
+/// the body; above the gain gait_swing_speed the duty factor is lowered. Below a duty factor of 0.5
+/// all feet are in the air at times (flying trot). In a walk it stays at 0.75 or above: three feet
+/// are in stance.
 GaitTiming gait_timing(const StepPattern& pattern, const Gains& gains, const GaitSize& size,
                        const WalkVelocity& velocity) noexcept;
 

@@ -12,7 +12,8 @@ namespace surefoot {
 class GroundPlane {
  public:
   /// Begin with the plane of a standing robot.
-  /// @param contact contact confidence per foot, 0 .. 1; a foot without contact is over the ground
+  /// @param contact contact confidence per foot, 0 .. 1; the point of a foot without contact
+  ///   is projected onto the plane
   /// @param normal of the ground under the stand, unit length
   /// @param sink mean depth by which the soles yield [m]
   void start(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, const Vector3& normal,
@@ -27,8 +28,8 @@ class GroundPlane {
   const Vector3& normal() const noexcept { return normal_; }  ///< unit length, upwards
   /// Height of the plane [m] at a world x and y [m].
   double height_at(const Eigen::Vector2d& p_world) const noexcept;
-  /// Height at which the soles carry the body [m]: lower by their sink, and without jumps when a
-  /// foot lands on a step.
+  /// Height of the ground under the loaded soles [m]: that of the plane minus the mean sink. Jumps
+  /// of the plane, when a foot lands on a step, are low-pass filtered.
   double height_of_soles(const Eigen::Vector2d& p_world) const noexcept {
     return height_at(p_world) - jump_ - sink_;
   }

@@ -15,15 +15,15 @@ struct StepPattern {
   }
 };
 
-/// Return the pattern for a commanded velocity: of a walk, with the best order. At velocity 0 the
-/// order does not change. Real-time: yes.
+/// Return the pattern for a commanded velocity; a walk has the best order of its feet. At velocity
+/// 0 the order does not change. Real-time: yes.
 StepPattern suitable_pattern(const StepPattern& present, const Gains& gains, const GaitSize& size,
                              bool walk, const WalkVelocity& command) noexcept;
 
-/// Return the share, 0 .. 1, of the acceleration gains that the body may use: all of them to brake.
-/// In a trot each pair of feet stands where it was planned for less speed. A walk reaches its
-/// greatest speed in a period: until then, the foot that lifts off last stands where it stood at
-/// the beginning. Real-time: yes.
+/// Return the factor, 0 .. 1, on the acceleration gains. To brake it is 1. A trot accelerates with
+/// less, because the stance feet were placed for a lower speed. A walk reaches its largest speed
+/// after one period, because its last foot first lifts off at the end of that period. Real-time:
+/// yes.
 /// @param velocity present velocity of the body trajectory
 double acceleration_share(const StepPattern& pattern, const Gains& gains, const GaitSize& size,
                           const WalkVelocity& command, const WalkVelocity& velocity) noexcept;

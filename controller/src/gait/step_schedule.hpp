@@ -25,13 +25,13 @@ class StepSchedule {
 
   /// Change a walk to a trot at once. The pair of `leg` swings at once if no foot is in the air, or
   /// if the foot in the air belongs to it and is in the first half of its swing. Otherwise the foot
-  /// in the air lands first, and the pair that it does not belong to lifts off next. A foot that
+  /// in the air lands first, and the pair without it lifts off next. A foot that
   /// lifts over an obstacle also lands first.
   /// @param velocity of the body trajectory
   void trot_at_once(const Gains& gains, const WalkVelocity& velocity, int leg,
                     const Stumble& stumble) noexcept;
   /// Change the pattern when all feet stand: a trot becomes a walk, or a walk changes the order of
-  /// its feet. The body must be slow before.
+  /// its feet. The pattern stays until the body is slow.
   /// @param velocity of the body trajectory
   void update_pattern(const Gains& gains, bool walk, const WalkVelocity& command,
                       const WalkVelocity& velocity) noexcept;

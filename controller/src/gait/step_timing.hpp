@@ -6,12 +6,12 @@
 
 namespace surefoot {
 
-/// Compute by what factor the time that is left of a swing must become shorter, at most 1, so that
-/// the capture point is still within reach at touchdown. Real-time: yes.
+/// Return the factor, 0.5 .. 1, on the period that keeps the capture point within reach at
+/// touchdown. It is 1 unless exactly two feet are in stance. Real-time: yes.
 ///
-/// Two feet in stance can press on the line between them, and nowhere beside it. A capture point
-/// at the distance d from where the trajectory has it, across this line, moves away with
-/// d exp(t sqrt(g/h)). Its distance at touchdown must not exceed the reach of a step, so
+/// With two feet in stance the zero-moment point is on the line between them. Let d be the
+/// distance, normal to this line, of the capture point from its planned place. It grows to
+/// d exp(t sqrt(g/h)) in the time t. At touchdown it must not exceed the reach of a step, so
 ///   t <= sqrt(h/g) ln(reach / d).
 /// Source: Khadiv, Herzog, Moosavian, Righetti 2016, "Step timing adjustment: a step toward
 /// generating robust gaits".

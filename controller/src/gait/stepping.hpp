@@ -24,15 +24,16 @@ class Stepping {
   /// Begin at the measured state with a trot whose first pair lifts off at once.
   void start_recovery(const PlannerInput& input, const Vector3& ground_normal,
                       double height_offset) noexcept;
-  /// @param walk like that of start(). A change is in force when all feet stand the next time
+  /// @param walk like that of start(). A change to a trot acts at once, a change to a walk when all
+  ///   feet stand and the body is slow
   /// @param offset height, roll and pitch of the body relative to those of the standing pose
-  /// @param may_stop true: stop lifting feet as soon as a stand can stop the body over feet that
-  ///   are near their places in the nominal stance, or a leg is lost
+  /// @param may_stop true: lift no further foot once a stand can stop the body over feet that are
+  ///   near their places in the nominal stance, or once a leg is lost
   void plan(const PlannerInput& input, bool walk, const WalkVelocity& command,
             const BodyMotion& offset, bool may_stop, Reference& reference) noexcept;
 
-  /// Return whether the robot has stopped: no foot need lift off, and all feet stand, except that
-  /// of a lost leg.
+  /// Return whether the robot has stopped: no foot needs to lift off, all feet except that of a
+  /// lost leg are in stance, and without a lost leg the sway is at rest.
   /// @param lost_leg 0 .. 3, or -1
   bool has_stopped(int lost_leg) const noexcept {
     return may_stand_ && contacts().others_in_stance(lost_leg) &&

@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-/// Swing feet that hit an obstacle: each lifts over it, in a new and higher swing from the point
-/// where it was stopped, and in its own time. Real-time: yes.
+/// Swing feet that hit an obstacle. Such a foot starts a new, higher swing a little back from the
+/// obstacle. This swing has a duration of its own. Real-time: yes.
 ///
 /// Source of the reflex: Focchi et al. 2013, "Local reflex generation for obstacle negotiation in
 /// quadrupedal locomotion".
@@ -21,7 +21,7 @@ class Stumble {
   /// @param progress share of the scheduled swing that is over
   /// @return its contact confidence, but 0 if the foot has not landed
   double update(int leg, const SwingFoot& foot, double progress, double dt) noexcept;
-  /// Forget a foot that does not swing.
+  /// Reset the state of a foot that does not swing.
   void end(int leg) noexcept;
 
   const std::array<bool, kLegs>& lifting() const noexcept { return lifting_; }

@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-/// What the steps of a robot consist of, see Stepping.
+/// The parts of Stepping on which the sway depends.
 struct StepState {
   const StepPattern& pattern;
   const GaitSize& size;
@@ -18,8 +18,8 @@ struct StepState {
   const FeetMatrix& footholds;  ///< [m] world frame
 };
 
-/// Return the input of BodySway: the coming swings and footholds of a walk. A trot has no support
-/// triangles: no foot swings as far as the sway is concerned. Real-time: yes.
+/// Return the input of BodySway: the coming swings and footholds of a walk. In a trot
+/// all swings are infinitely late, because two feet have no support triangle. Real-time: yes.
 BodySway::Input sway_input(const StepState& steps, const PlannerInput& input) noexcept;
 
 }  // namespace surefoot

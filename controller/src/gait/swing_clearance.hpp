@@ -5,8 +5,9 @@
 
 namespace surefoot {
 
-/// Height of the swings: after a stumble, or a foot that landed above or below the ground plane,
-/// all feet swing higher until the robot has passed that place. Real-time: yes.
+/// Additional height of the swings on uneven ground. A foot that hit an obstacle, or landed above
+/// or below the ground plane, raises all swings until the robot has passed that place. Real-time:
+/// yes.
 class SwingClearance {
  public:
   explicit SwingClearance(const GaitSize& size) : size_(size) {}

@@ -16,15 +16,15 @@ struct SwingFoot {
 /// What stops a swing foot.
 enum class SwingContact {
   kNone,     ///< nothing
-  kGround,   ///< it stopped on its way down: it has landed
-  kObstacle  ///< it stopped on its way ahead, and could still move down: it hit a face
+  kGround,   ///< the foot was stopped while its reference moved down: it has landed
+  kObstacle  ///< the foot was stopped in the horizontal direction: it hit a face
 };
 
 /// Judge what stops a swing foot. Real-time: yes.
 ///
-/// A contact force alone does not tell whether a foot has landed or hit the face of a step:
-/// friction makes both alike. So the direction in which the foot stays behind its reference
-/// decides.
+/// The direction of the contact force does not tell whether a foot has landed or hit the face of a
+/// step: in both cases the force has a normal part and a friction part. So the direction in which
+/// the foot stays behind its reference decides.
 SwingContact judge_swing_contact(const SwingFoot& foot, const GaitSize& size) noexcept;
 
 }  // namespace surefoot

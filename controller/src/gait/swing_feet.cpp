@@ -72,7 +72,7 @@ void SwingFeet::plan(int leg, const PlannerInput& input, const StepSchedule& sch
   const GaitClock& clock = schedule.clock();
   const bool begins = contacts.lifted_off(leg) || contacts.lost(leg);
   if (begins) swings_[leg].lift_off(input.p_feet.col(leg));
-  if (contacts.phase(leg) == FootPhase::kLateSwing) {
+  if (contacts.phase(leg) == FootPhase::kLateTouchdown) {
     const double lowest =
         ground.height_at(swings_[leg].p_world().head<2>()) - kReachDepth * size_.height;
     swings_[leg].reach_down(kReachDownSpeed * size_.speed, lowest, input.dt);

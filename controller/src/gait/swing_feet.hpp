@@ -19,8 +19,8 @@ class SwingFeet {
 
   /// Judge what stops the swing feet.
   /// @param schedule of the last tick
-  /// @param steady whether no push is being braked. After a push feet lag behind their references
-  ///   and land early without an obstacle
+  /// @param steady true unless the velocity error shows a push. After a push, feet lag behind their
+  ///   references and land early without an obstacle
   /// @return the contact confidences, but 0 of a foot that lifts over an obstacle and has not
   ///   landed
   Eigen::Vector4d judge_contacts(const PlannerInput& input, const StepSchedule& schedule,
@@ -30,8 +30,8 @@ class SwingFeet {
   void update_clearance(const PlannerInput& input, const FootContacts& contacts,
                         const GroundPlane& ground, bool steady, double speed) noexcept;
   /// Advance the motion of a foot.
-  /// @param steady as in judge_contacts(). A step that brakes a push may cross the other leg:
-  /// pushed robots then fall less often
+  /// @param steady as in judge_contacts(). After a push no gap between left and right legs is
+  ///   kept: pushed robots then fall less often
   void plan(int leg, const PlannerInput& input, const StepSchedule& schedule,
             const HorizontalMotion& measured, const BodyTrajectory& body, const GroundPlane& ground,
             bool steady) noexcept;

@@ -8,9 +8,9 @@ namespace surefoot {
 /// Motion of one swing foot. Real-time: yes.
 ///
 /// Horizontally: in each tick, the minimum-jerk motion from the present reference to the foothold,
-/// which may move. Vertically: an arc over the line from lift-off to the foothold, which ends with
-/// a downward speed. A foot that meets no ground there continues downwards. Source of the
-/// minimum-jerk motion: Flash and Hogan 1985.
+/// which may move. Vertically: an arc over the line from lift-off to the foothold. The foot reaches
+/// the foothold with a downward speed. A foot that meets no ground there continues downwards.
+/// Source of the minimum-jerk motion: Flash and Hogan 1985.
 class SwingTrajectory {
  public:
   /// Heights and speed, with the scale of the robot applied.

@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// Largest torque that carries the robot on two diagonal feet.
+/// Largest ratio of torque to torque limit when two diagonal feet carry the robot.
 struct TrotLoad {
   double share = 0.0;  ///< torque / torque limit of the motor
   int motor = 0;       ///< SDK number of the motor
@@ -15,8 +15,8 @@ struct TrotLoad {
 /// pushes. Unitree's robots have 0.15 .. 0.5.
 constexpr double kMaxTrotLoad = 0.8;
 
-/// Compute the load of each motor if its foot carries half of the weight in the standing pose, and
-/// return the largest. Real-time: no.
+/// Return the largest of these ratios in the standing pose, with half of the weight on each foot.
+/// Real-time: no.
 TrotLoad trot_load(const Robot& robot);
 
 }  // namespace surefoot

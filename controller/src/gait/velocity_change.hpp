@@ -6,10 +6,9 @@
 
 namespace surefoot {
 
-/// Change of velocity that the body trajectory has begun, if the command stays as it is:
-/// acceleration `a` for the next `time_left` seconds, then none. Turning is neglected: `a` keeps
-/// its direction in the world, and does not rise when a change of the yaw rate ends first.
-/// Real-time: yes.
+/// Remaining change of the planned velocity if the command stays constant: acceleration `a` for
+/// `time_left`, then 0. The turn of the body is neglected. So is the rise of `a` when the yaw rate
+/// reaches its command first. Real-time: yes.
 struct VelocityChange {
   Eigen::Vector2d a = Eigen::Vector2d::Zero();  ///< [m/s^2] world axes
   double time_left = 0.0;                       ///< [s] until the commanded velocity is reached

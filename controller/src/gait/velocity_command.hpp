@@ -17,9 +17,9 @@ class VelocityCommand {
   VelocityCommand(const GaitSize& size, double timeout, double power_limit)
       : size_(size), timeout_(timeout), power_limit_(power_limit) {}
 
-  /// Set the velocity, clamped to the limits of the gait: first each component, then all together,
-  /// along the same path. A velocity with a NaN or an infinity
-  /// changes nothing.
+  /// Set the velocity, clamped to the limits of the gait: first each component; then all three are
+  /// scaled by one factor, which keeps the curvature of the path. A velocity with a NaN or an
+  /// infinity changes nothing.
   void set(const Gains& gains, Gait gait, const WalkVelocity& velocity) noexcept;
   /// Clamp the velocity of the last set() again, for another gait.
   void clamp(const Gains& gains, Gait gait) noexcept;
@@ -30,7 +30,7 @@ class VelocityCommand {
   bool is_zero() const noexcept;
   /// Return whether the last set() is older than the timeout, or nothing was set since reset().
   bool has_expired() const noexcept { return age_ > timeout_; }
-  WalkLimit limit() const noexcept { return limit_; }  ///< of the last set()
+  WalkLimit limit() const noexcept { return limit_; }  ///< of the last set() or clamp()
 
  private:
   void scale(double factor, WalkLimit limit) noexcept;

@@ -11,9 +11,9 @@ namespace surefoot {
 /// Legs in the order in which they lift off, one at a time.
 using WalkOrder = std::array<int, kLegs>;
 
-/// Compute how far a steady walk must sway: the sum over the four swings of the squared distance
-/// [m^2] from the centre of mass to the support triangle of the other feet, moved inwards by a
-/// margin. Real-time: yes.
+/// Return a measure [m^2] of the sway that a steady walk needs: the sum, over the four swings, of
+/// the squared distance from the centre of mass to the support triangle of the other feet, shrunk
+/// by a margin. Real-time: yes.
 /// @param period of the gait [s]
 /// @param margin distance of the zero-moment point from the support edges [m]
 double sway_of(const WalkOrder& order, const GaitSize& size, const WalkVelocity& velocity,

@@ -9,11 +9,12 @@
 
 namespace surefoot {
 
-/// Planner that trots at a commanded velocity, and otherwise stands. Real-time: yes.
+/// Planner that stands, and that trots or walks at a commanded velocity or after a push. Real-time:
+/// yes.
 ///
 /// It stands for the first 0.3 s after reset(), in which wrong sensors are found. With a lost leg
-/// it puts its swing feet down and stands. In the air it stands, and walks again when all feet
-/// carry.
+/// it puts its swing feet down and stands. In the air it stands. It walks again when all feet are
+/// in contact, or when three have been for 0.3 s.
 class WalkPlanner : public Planner {
  public:
   /// @param velocity_timeout age above which a commanded velocity becomes 0 [s]
@@ -34,7 +35,8 @@ class WalkPlanner : public Planner {
   /// Return whether a pose is latched or the robot walks.
   bool has_started() const noexcept { return walking_ || stand_.has_latched(); }
   bool walking() const noexcept { return walking_; }
-  /// Return whether the motors can carry the robot on two feet, see kMaxTrotLoad; else it stands.
+  /// Return whether the motors can carry the robot on two feet, see kMaxTrotLoad. If not, the
+  /// planner only stands.
   bool can_walk() const noexcept { return can_walk_; }
   Gait gait() const noexcept { return gait_; }
   const VelocityCommand& command() const noexcept { return command_; }

@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-/// Compute by what factor a commanded velocity must be smaller, 0 .. 1, so that the motors stay
-/// within a power. Real-time: yes.
+/// Return the factor, 0 .. 1, on a commanded velocity that keeps the power peaks within a limit.
+/// Real-time: yes.
 ///
 /// The power peaks of a trot are about walk_power_rest + walk_power_rise u^3, in units of
 /// m g sqrt(g h), where u is the speed of the fastest hip in units of sqrt(g h).

@@ -31,8 +31,10 @@ bool WalkRecovery::update(const PlannerInput& input, const StepSchedule& schedul
   calm_time_ = calm ? calm_time_ + input.dt : 0.0;
   const Eigen::Vector2d planned_zmp =
       body.motion().p_com + sway.p() - size_.time * size_.time * (body.a_world() + sway.a());
+  // A trot that brakes a push goes on until it is calm: the feet of a walk stand first.
   const bool walks = schedule.pattern().walk;
-  trots_ |= walks && !calm && !is_inside(schedule.contacts(), input.p_feet, planned_zmp + error);
+  const bool can_brake = walks && is_inside(schedule.contacts(), input.p_feet, planned_zmp + error);
+  trots_ |= !calm && !can_brake;
   trots_ = trots_ && calm_time_ < schedule.clock().timing().period;
   return trots_;
 }

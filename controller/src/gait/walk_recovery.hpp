@@ -7,7 +7,8 @@
 
 namespace surefoot {
 
-/// Tells when a gait walk must trot because of a push, and when it may walk again. Real-time: yes.
+/// Decides when a gait walk changes to a trot after a push, and when it may walk again. Real-time:
+/// yes.
 ///
 /// A push moves the capture point from its planned place by e. To keep e from growing, the
 /// zero-moment point must move by e from its planned place too. If it would leave the polygon of
@@ -21,9 +22,10 @@ class WalkRecovery {
     trots_ = false;
     calm_time_ = 0.0;
   }
-  /// Process one tick.
+  /// Process one tick in which a gait walk is wanted.
   /// @param measured measured motion of the body, without sway
-  /// @param body, sway planned motion, and what a walk adds to it
+  /// @param body planned motion, without sway
+  /// @param sway planned sway
   /// @return whether the robot must trot
   bool update(const PlannerInput& input, const StepSchedule& schedule,
               const HorizontalMotion& measured, const BodyTrajectory& body,

@@ -5,8 +5,9 @@
 namespace surefoot {
 
 namespace {
-// [s] Time after which a robot that still steps sits down all the same. Chosen: longer than a stop
-// from the largest velocity on flat ground.
+// [s] Time after which a robot that shall sit down does so, although it has not stopped. Chosen:
+// longer than a stop from the largest velocity of a trot on flat ground. A b1 in a gait walk needs
+// up to 1.7 s: its feet then stand already, but its body still sways.
 constexpr double kStopTime = 1.5;
 }  // namespace
 
