@@ -46,7 +46,7 @@ MODULES = {
     "surefoot.stand": "Simulated stands with pushes and references, and their figures.",
     "surefoot.walk": "Simulated walks at commanded velocities, and their figures.",
     "surefoot.estimate": "The state estimator on sensor logs.",
-    "surefoot.assess": "Scorecards of standing controllers.",
+    "surefoot.assess": "Scorecards of controllers that stand or walk.",
     "surefoot.faults": "Fault injection.",
     "surefoot.virtual_robot": "A simulated robot that SDK programs control over UDP or DDS.",
     "surefoot.bench": "Timing of the tick and of QP solvers.",

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 import surefoot
-from surefoot import Gait, Mode
+from surefoot import Gait, Mode, WalkLimit, WalkVelocity
 from surefoot.cli.run_operator import ArmingMonitor, Operator
 
 
@@ -41,3 +41,15 @@ def test_typed_gait_is_set_and_an_unknown_one_is_refused() -> None:
     assert said[:2] == ["   1.00 s gait walk", "   1.00 s gait auto"]
     assert said[2] == "   1.00 s gait: got ''; valid names: auto, trot, walk"
     assert "gait: got 'trott'" in said[3]
+
+
+def test_keys_start_from_the_velocity_in_force_if_a_limit_reduced_it() -> None:
+    said: list[str] = []
+    operator = Operator(SimpleNamespace(), surefoot.load_robot("go1"), True, said.append)  # type: ignore[arg-type]
+    walking = snapshot("walking", Mode.WALK, ready=True, armed=True)
+    walking.velocity_limit, walking.commanded_velocity = WalkLimit.NONE, WalkVelocity()
+    operator.handle_line("v 9 0 0", walking)  # type: ignore[arg-type]
+    walking.velocity_limit = WalkLimit.FORWARD
+    walking.commanded_velocity = WalkVelocity(1.5, 0.0, 0.0)
+    operator.handle_line("k", walking)  # type: ignore[arg-type]
+    assert said[-1] == "   1.00 s velocity 1.40 0.00 m/s 0.00 rad/s"

@@ -31,3 +31,11 @@ def test_v_sets_the_velocity_and_wrong_numbers_change_nothing() -> None:
 
 def test_other_lines_are_not_about_the_velocity() -> None:
     assert not KeyVelocity().handle_line("hello")
+
+
+def test_a_key_acts_at_once_on_a_velocity_beyond_the_limits() -> None:
+    keys = KeyVelocity()
+    keys.handle_line("v -9 0.1 0")
+    keys.reduce_to(surefoot.WalkVelocity(-0.5, 0.1, 0.0))
+    keys.handle_line("i")
+    assert keys.value == pytest.approx((-0.5 + SPEED_STEP, 0.1, 0.0))

@@ -98,7 +98,9 @@ def build_parser() -> argparse.ArgumentParser:
     )
     text = "inject every fault of the catalogue in simulation and check the reactions"
     add_faults_options(add("faults", faults, text))
-    text = "measure a controller that stands or walks: pushes, ground, payload, link, motors, faults"
+    text = (
+        "measure a controller that stands or walks: pushes, ground, payload, link, motors, faults"
+    )
     add_assess_options(add("assess", assess, text))
     tune = commands.add_parser(
         "tune", help="find gains", description="Find gains.", allow_abbrev=False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from surefoot._core import Error, Mode, RequestStatus, Robot, Runner, RunSnapshot
+from surefoot._core import Error, Mode, RequestStatus, Robot, Runner, RunSnapshot, WalkLimit
 from surefoot.cli.gait_argument import read_gait
 from surefoot.cli.run_keyboard import KeyboardLines
 from surefoot.cli.run_velocity import VELOCITY_HELP, KeyVelocity
@@ -14,7 +14,7 @@ from surefoot.system.terminal import has_keyboard
 
 _NEXT_KEY = {
     Mode.PASSIVE: "u rises",
-    Mode.RISE: "d sits down",
+    Mode.RISE: "wait until it stands, or d sits down",
     Mode.STAND: "w walks, d sits down",
     Mode.WALK: "s stops, d sits down",
     Mode.SIT: "u rises again",
@@ -110,6 +110,8 @@ class Operator:
 
     def _change_velocity(self, line: str, snapshot: RunSnapshot) -> bool:
         """Change the velocity and print it; return whether the line is about the velocity."""
+        if snapshot.mode == Mode.WALK and snapshot.velocity_limit != WalkLimit.NONE:
+            self._velocity.reduce_to(snapshot.commanded_velocity)
         try:
             if not self._velocity.handle_line(line):
                 return False

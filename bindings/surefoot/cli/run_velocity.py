@@ -42,6 +42,19 @@ class KeyVelocity:
         """Set the velocity to 0."""
         self.value = (0.0, 0.0, 0.0)
 
+    def reduce_to(self, in_force: WalkVelocity) -> None:
+        """Reduce each component to that of the velocity in force, so that the next key acts.
+
+        Args:
+            in_force: The velocity to which the limits have reduced this one.
+        """
+        vx, vy, yaw_rate = self.value
+        self.value = (
+            math.copysign(min(abs(vx), abs(in_force.vx)), vx),
+            math.copysign(min(abs(vy), abs(in_force.vy)), vy),
+            math.copysign(min(abs(yaw_rate), abs(in_force.yaw_rate)), yaw_rate),
+        )
+
     def handle_line(self, line: str) -> bool:
         """Change the velocity; return whether the line is about the velocity.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from surefoot._core import ArmingCheck, FaultReaction, Mode, RequestStatus, RunSnapshot, fault_table
 
 _REASONS = {
-    RequestStatus.NO_STATE: "no valid LowState arrives",
+    RequestStatus.NO_STATE: "no valid LowState arrives: check the robot and the network",
     RequestStatus.NOT_ARMED: "not armed",
     RequestStatus.LATCHED: "damping is latched",
     RequestStatus.BUSY: "busy: another request is pending, the robot stops walking, or torques "

@@ -94,6 +94,6 @@ def _parse_number(number_text: str, what: str, text: str, names: tuple[str, ...]
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        valid = ", ".join((*names, "")) + "a number"
+        valid = f"{', '.join(names)} or a finite number" if names else "a finite number"
         raise Error(f"push '{text}': {what}: got '{number_text}', expected {valid}")
     return value

@@ -126,5 +126,5 @@ def _parse_number(number_text: str, what: str, text: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise Error(f"reference '{text}': {what}: got '{number_text}', expected a number")
+        raise Error(f"reference '{text}': {what}: got '{number_text}', expected a finite number")
     return value
