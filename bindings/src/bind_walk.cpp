@@ -37,7 +37,7 @@ void bind_velocity(nb::module_& m) {
       .value("TURN", WalkLimit::kTurn,
              "yaw_rate: gain walk_turn_speed; walk: walk_gait_turn_speed.")
       .value("COMBINATION", WalkLimit::kCombination,
-             "All: the velocities together, or the acceleration of the body in a curve.")
+             "All: the sum of the shares of the limits, or the acceleration in a curve.")
       .value("POWER", WalkLimit::kPower,
              "All: the power that ControllerOptions.power_limit allows.")
       .value("NOT_FINITE", WalkLimit::kNotFinite,
@@ -65,18 +65,20 @@ void bind_options(nb::module_& m) {
       .def_rw("tick", &WalkOptions::tick, "Options of the tick, a ControllerOptions.")
       .def_rw("velocity_timeout", &WalkOptions::velocity_timeout,
               "Age above which a commanded velocity becomes 0 [s], 0.01 .. 60.\n\n"
-              "A program that ends does not leave the robot walking.");
+              "So the robot stops if the calling program ends.");
 }
 
 void bind_walk_controller(nb::module_& m) {
   nb::class_<WalkController, StandController>(
       m, "WalkController",
       "A StandController that also walks: LowState and a velocity in, LowCmd out.\n\n"
-      "At velocity 0 it stands. At another velocity it trots, or with Gait.WALK walks with three\n"
-      "feet down. Footholds follow the measured velocity, so the robot also steps after a push.\n"
-      "When the velocity is 0 again, it steps until its feet are in the nominal stance, and\n"
-      "stands. With a lost leg it only stands. Height, roll and pitch of set_body_reference()\n"
-      "apply while it steps, relative to the standing pose.")
+      "At velocity 0 it stands; with Gait.TROT it trots on the spot. At another velocity it "
+      "trots,\n"
+      "or with Gait.WALK walks with three feet down. Footholds follow the measured velocity, so\n"
+      "steps brake pushes. Height, roll and pitch of set_body_reference() apply while it steps,\n"
+      "relative to the standing pose. When the velocity is 0 again, it steps until it can stand "
+      "in\n"
+      "the nominal stance. With a lost leg it only stands.")
       .def(
           "__init__",
           [](WalkController* self, const Robot& robot, const Gains* gains,
@@ -97,13 +99,14 @@ void bind_walk_controller(nb::module_& m) {
            "walk_speed_sideways and walk_turn_speed; in the gait WALK to walk_gait_speed and\n"
            "walk_gait_turn_speed. Then all three are reduced to what can be combined, and\n"
            "to what the power limit carries. A velocity with a NaN or an infinity is\n"
-           "ignored. velocity_limit reports both. Real-time: yes.")
+           "ignored. velocity_limit has the last limit that acted, or NOT_FINITE. Real-time:\n"
+           "yes.")
       .def_prop_ro("commanded_velocity", &WalkController::commanded_velocity,
                    "Velocity that is commanded, clamped; 0 after the timeout.")
       .def_prop_ro("reference_velocity", &WalkController::reference_velocity,
                    "Velocity of the reference, which approaches commanded_velocity.")
       .def_prop_ro("velocity_limit", &WalkController::velocity_limit,
-                   "WalkLimit of the last set_velocity().")
+                   "WalkLimit that reduced the commanded velocity, in the present gait.")
       .def_prop_rw("gait", &WalkController::gait, &WalkController::set_gait,
                    "Gait; a change is in force from the next tick on.")
       .def_prop_ro("walking", &WalkController::walking, "Whether the last tick planned steps.")
@@ -113,7 +116,7 @@ void bind_walk_controller(nb::module_& m) {
       .def_prop_ro("can_walk", &WalkController::can_walk,
                    "Whether the motors can carry the robot in the standing pose on two diagonal\n"
                    "feet, with at most 0.8 of their torque limits.\n\n"
-                   "Only a Supervisor has a WalkController for a robot that cannot walk.")
+                   "If not, the controller only stands; only a Supervisor has such a controller.")
       .def_prop_ro("footholds", &WalkController::footholds,
                    "Footholds FR FL RR RL, world frame of state [m], shape (3, 4): where each\n"
                    "foot lands or has landed.")
