@@ -120,7 +120,7 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("greatest_power", &RunSnapshot::greatest_power,
               "Largest measured_power outside damping [W].")
       .def_ro("height", &RunSnapshot::height,
-              "Estimated height of the base origin [m], world frame.")
+              "Estimated height of the base origin above the stance feet [m].")
       .def_ro("tilt", &RunSnapshot::tilt, "Estimated angle between base z and world z [rad].")
       .def_ro("q", &RunSnapshot::q, "Estimated q, Pinocchio's order, 19 numbers, see Robot.")
       .def_ro("joint_angles", &RunSnapshot::joint_angles,

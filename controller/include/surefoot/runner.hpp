@@ -110,14 +110,14 @@ struct RunSnapshot {
   /// Number of times that the phase kDamping ended without arm(), because the clock of the robot
   /// had paused together with its samples.
   std::uint64_t resumed_dampings = 0;
-  std::uint64_t rearms = 0;               ///< number of times that arm() ended latched damping
-  std::uint64_t refused_rearms = 0;       ///< number of rearm() calls that were refused
-  double measured_power = 0.0;            ///< [W] motor power that the power protection judged last
-  double power_at_damping = 0.0;          ///< [W] measured_power when phase kDamping last began
-  double greatest_power = 0.0;            ///< [W] largest measured_power outside damping
-  double height = 0.0;                    ///< [m] estimated height of the base origin, world frame
-  double tilt = 0.0;                      ///< [rad] estimated angle between base z and world z
-  std::array<double, 19> q{};             ///< estimated q, Pinocchio's order, see Robot
+  std::uint64_t rearms = 0;          ///< number of times that arm() ended latched damping
+  std::uint64_t refused_rearms = 0;  ///< number of rearm() calls that were refused
+  double measured_power = 0.0;       ///< [W] motor power that the power protection judged last
+  double power_at_damping = 0.0;     ///< [W] measured_power when phase kDamping last began
+  double greatest_power = 0.0;       ///< [W] largest measured_power outside damping
+  double height = 0.0;         ///< [m] estimated height of the base origin above the stance feet
+  double tilt = 0.0;           ///< [rad] estimated angle between base z and world z
+  std::array<double, 19> q{};  ///< estimated q, Pinocchio's order, see Robot
   std::array<double, 12> joint_angles{};  ///< [rad] measured angles, SDK motor order
   /// [N] Ground force on each foot in the QP solution: FR FL RR RL, each x y z, world axes.
   std::array<double, 12> desired_forces{};

@@ -6,13 +6,29 @@
 
 namespace surefoot {
 
+namespace {
+
+// Return the mean height of the feet in stance, world frame [m]; 0 without one.
+double stance_height(const Reference& reference) noexcept {
+  double sum = 0.0;
+  int count = 0;
+  for (const FootReference& foot : reference.feet) {
+    if (!foot.stance) continue;
+    sum += foot.p_world.z();
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
 void write_robot_snapshot(const WalkController& controller, const LowState& state,
                           const Vector12& tau_max, RunSnapshot& snapshot) noexcept {
   const RobotState& estimated = controller.state();
   const Reference& desired = controller.reference();
   const Eigen::VectorXd& q = estimated.q;
   std::copy_n(q.data(), std::min<std::size_t>(snapshot.q.size(), q.size()), snapshot.q.begin());
-  snapshot.height = q[2];
+  snapshot.height = q[2] - stance_height(desired);
   const double sine = std::hypot(q[3], q[4]);  // sin(tilt / 2)
   snapshot.tilt = 2.0 * std::asin(std::min(sine, 1.0));
   snapshot.position_error = (desired.p_base - q.head<3>()).norm();
