@@ -10,6 +10,7 @@ from typing import Any, NoReturn
 
 from surefoot.cli.assess import add_assess_options, assess
 from surefoot.cli.bench import add_bench_options, bench
+from surefoot.cli.doctor import add_doctor_options, doctor
 from surefoot.cli.estimate import estimate
 from surefoot.cli.estimate_options import add_estimate_options
 from surefoot.cli.export import export
@@ -110,6 +111,8 @@ def build_parser() -> argparse.ArgumentParser:
     add_robots_options(add("robots", robots, text))
     gains = add("gains", list_gains, "list all gains: value, unit, range, meaning")
     add_robot_options(gains, "the library's default values")
+    text = "check the installation and this computer, and say what to do"
+    add_doctor_options(add("doctor", doctor, text))
     return parser
 
 
