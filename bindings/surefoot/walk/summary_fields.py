@@ -80,7 +80,7 @@ _GROUPS: dict[str, tuple[Row, ...]] = {
             "commands",
             "",
             "the same figures for each command, with its time [s], the velocity as requested and "
-            "as clamped, and the limit: none, forward, sideways or turn",
+            "as clamped, and the limit, a WalkLimit in lower case",
         ),
     ),
     "Feet": (
