@@ -16,6 +16,7 @@ from surefoot.cli.arguments import build_parser
 ARGUMENTS = {
     "assess": "--scenario missing.toml",
     "bench": "--scenario quiet --ticks 10",
+    "doctor": "--json {folder}/doctor.json",
     "estimate": "{folder}/run.npz",
     "export": "go1 {folder}/go1.robot",
     "faults": "--list",
