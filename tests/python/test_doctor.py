@@ -23,6 +23,7 @@ from surefoot.doctor import (
     real_time,
     simulation,
 )
+from surefoot.system import library_check
 
 
 def subjects(findings: list[Finding]) -> dict[str, Finding]:
@@ -58,14 +59,14 @@ def test_text_has_each_finding_and_its_remedy_once(here: list[Finding]) -> None:
 
 
 def test_missing_package_names_its_extra(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(installation, "_version", lambda name: None)
+    monkeypatch.setattr(installation, "package_version", lambda name: None)
     found = subjects(installation.check_installation())
     assert found["casadi"].verdict == Verdict.LIMITED
     assert "pip install 'surefoot[tune]'" in found["casadi"].remedy
 
 
 def test_two_copies_of_pinocchio_are_bad(monkeypatch: pytest.MonkeyPatch) -> None:
-    copies = ["/a/libpinocchio_default.so", "/b/libpinocchio_default.so"]
+    copies = [Path("/a/libpinocchio_default.so"), Path("/b/libpinocchio_default.so")]
     monkeypatch.setattr(installation, "loaded_libraries", lambda name: copies)
     finding = subjects(installation.check_installation())["libpinocchio"]
     assert finding.verdict == Verdict.BAD and "/b/" in finding.value
@@ -75,9 +76,9 @@ def test_two_copies_of_pinocchio_are_bad(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_loaded_libraries_are_those_of_this_process() -> None:
     import surefoot  # noqa: F401
 
-    (path,) = installation.loaded_libraries("libsurefoot.so")
-    assert Path(path).is_file()
-    assert installation.loaded_libraries("libdoes_not_exist") == []
+    (path,) = library_check.loaded_libraries("libsurefoot.so")
+    assert path.is_file()
+    assert library_check.loaded_libraries("libdoes_not_exist") == []
 
 
 def test_ros_in_the_python_path_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

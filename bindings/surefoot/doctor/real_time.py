@@ -7,6 +7,7 @@ import platform
 import resource
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from surefoot.system.machine import describe_machine
 
 AREA = "real time"
 PERIOD = 0.002  # [s] of the timer check, as at 500 Hz
-_PRIORITY = 80  # SCHED_FIFO priority that a Runner requests
+_PRIORITY = 80  # SCHED_FIFO priority that a Runner requests, kPriority in real_time_scope.cpp
 # [s] 99th percentile of the delay after a deadline above which a loop at 500 Hz is late too often.
 # Chosen: a quarter of the period.
 _MAX_DELAY = 0.0005
@@ -29,9 +30,10 @@ def check_real_time(timer_seconds: float) -> list[Finding]:
     Args:
         timer_seconds: Time for which the timer is measured [s].
     """
+    machine = describe_machine()
     return [
-        _check_processor(),
-        _check_governor(),
+        _check_processor(machine),
+        _check_governor(machine["governor"]),
         _check_kernel(),
         _check_priority(),
         _check_memory_lock(),
@@ -57,8 +59,7 @@ def timer_delays(seconds: float) -> np.ndarray:
     return np.array(delays)
 
 
-def _check_processor() -> Finding:
-    machine = describe_machine()
+def _check_processor(machine: dict[str, Any]) -> Finding:
     value = f"{machine['cpu']}, {machine['cores']} cores, {platform.machine()}"
     flags = _processor_flags()
     if flags:
@@ -79,12 +80,11 @@ def _processor_flags() -> set[str]:
     return set(flags[0].split()) if flags else set()
 
 
-def _check_governor() -> Finding:
-    governor = describe_machine()["governor"]
+def _check_governor(governor: str | None) -> Finding:
     if governor in (None, "performance"):
         return Finding(AREA, "frequency governor", governor or "none", Verdict.GOOD)
     remedy = "ticks are slower at first; run: sudo cpupower frequency-set -g performance"
-    return Finding(AREA, "frequency governor", str(governor), Verdict.LIMITED, remedy)
+    return Finding(AREA, "frequency governor", governor, Verdict.LIMITED, remedy)
 
 
 def _check_kernel() -> Finding:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 
 from surefoot.doctor.finding import Finding, Verdict
+from surefoot.doctor.probe import run_probe
 
 AREA = "simulation"
-_MAX_TIME = 120.0  # [s]
 # A graphics driver may crash, and MuJoCo needs AVX: both run in a process of their own.
 _STEP = "from surefoot.sim import Plant; Plant('go1').reset()"
 _DRAW = "import mujoco; context = mujoco.GLContext(16, 16); context.make_current()"
@@ -30,14 +28,7 @@ def check_simulation() -> list[Finding]:
 
 
 def _run(subject: str, program: str, value: str, remedy: str) -> Finding:
-    try:
-        result = subprocess.run(
-            [sys.executable, "-c", program], capture_output=True, text=True, timeout=_MAX_TIME
-        )
-    except subprocess.TimeoutExpired:
-        problem = f"no answer within {_MAX_TIME:g} s"
-        return Finding(AREA, subject, problem, Verdict.LIMITED, remedy)
-    if result.returncode == 0:
+    result = run_probe(program)
+    if result.works:
         return Finding(AREA, subject, value, Verdict.GOOD)
-    lines = result.stderr.strip().splitlines() or [f"exit status {result.returncode}"]
-    return Finding(AREA, subject, lines[-1], Verdict.LIMITED, remedy)
+    return Finding(AREA, subject, result.text, Verdict.LIMITED, remedy)

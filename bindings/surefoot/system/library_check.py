@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 _MIN_NUMPY = (1, 26)  # as in pyproject.toml
-_LIBRARY = "libpinocchio_default.so"
+PINOCCHIO_LIBRARY = "libpinocchio_default.so"
 _PACKAGE = Path(__file__).parents[1]
 # Folder of the libraries of the Python package libpinocchio, beside this package.
 _LIBRARY_FOLDER = _PACKAGE.parent / "cmeel.prefix" / "lib"
@@ -54,15 +54,25 @@ def explain_core_import(problem: ImportError) -> ImportError:
     return ImportError(f"surefoot: cannot load its C++ core ({reason}): {remedy}")
 
 
-def check_loaded_library() -> None:
-    """Raise ImportError if the loader took libpinocchio from another folder, in another build."""
+def loaded_libraries(name: str) -> list[Path]:
+    """Return the files of a library that this process has loaded, without duplicates.
+
+    Args:
+        name: Name of the library's file, such as "libsurefoot.so". Nothing is found if the system
+            is not Linux.
+    """
     try:
         maps = Path("/proc/self/maps").read_bytes()
     except OSError:  # not Linux
-        return
-    expected = _LIBRARY_FOLDER / _LIBRARY
-    lines = [line for line in maps.splitlines() if _LIBRARY.encode() in line]
-    for path in {Path(os.fsdecode(line.split(maxsplit=5)[5])) for line in lines}:
+        return []
+    lines = [line for line in maps.splitlines() if name.encode() in line]
+    return sorted({Path(os.fsdecode(line.split(maxsplit=5)[5])) for line in lines})
+
+
+def check_loaded_library() -> None:
+    """Raise ImportError if the loader took libpinocchio from another folder, in another build."""
+    expected = _LIBRARY_FOLDER / PINOCCHIO_LIBRARY
+    for path in loaded_libraries(PINOCCHIO_LIBRARY):
         if expected.is_file() and path.is_file() and not _is_same_file(path, expected):
             raise ImportError(
                 f"surefoot: LD_LIBRARY_PATH loads '{path}', expected '{expected}', because another "

@@ -18,8 +18,8 @@ struct StepState {
   const FeetMatrix& footholds;  ///< [m] world frame
 };
 
-/// Return the input of BodySway: the coming swings and footholds of a walk. In a trot
-/// all swings are infinitely late, because two feet have no support triangle. Real-time: yes.
+/// Return the input of BodySway: the coming swings and footholds of a walk. In a trot all swings
+/// are infinitely late, because two feet have no support triangle. Real-time: yes.
 BodySway::Input sway_input(const StepState& steps, const PlannerInput& input) noexcept;
 
 }  // namespace surefoot

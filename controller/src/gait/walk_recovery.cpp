@@ -31,7 +31,8 @@ bool WalkRecovery::update(const PlannerInput& input, const StepSchedule& schedul
   calm_time_ = calm ? calm_time_ + input.dt : 0.0;
   const Eigen::Vector2d planned_zmp =
       body.motion().p_com + sway.p() - size_.time * size_.time * (body.a_world() + sway.a());
-  // A trot that brakes a push goes on until it is calm: the feet of a walk stand first.
+  // All feet stand before a walk begins. So a trot that brakes a push goes on until the error is
+  // small.
   const bool walks = schedule.pattern().walk;
   const bool can_brake = walks && is_inside(schedule.contacts(), input.p_feet, planned_zmp + error);
   trots_ |= !calm && !can_brake;
