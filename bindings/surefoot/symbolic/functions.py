@@ -21,83 +21,93 @@ def robot_function(robot: Robot, name: str) -> ca.Function:
     return _BUILDERS[name](TreeDynamics(joint_tree(robot)), name)
 
 
-def mass_matrix_of(tree: TreeDynamics) -> Expression:
+def _mass_matrix(dynamics: TreeDynamics) -> Expression:
     """Return M (nv, nv): the derivative of the inverse dynamics with respect to a."""
-    at_rest = ca.SX(tree.tree.nv, 1)
-    forces = tree.inverse_dynamics(at_rest, tree.a, gravity=False)
+    at_rest = ca.SX(dynamics.tree.nv, 1)
+    forces = dynamics.inverse_dynamics(at_rest, dynamics.a, gravity=False)
     # Both triangles are equal but for rounding.
-    return ca.triu2symm(ca.triu(ca.jacobian(forces, tree.a)))
+    return ca.triu2symm(ca.triu(ca.jacobian(forces, dynamics.a)))
 
 
-def bias_of(tree: TreeDynamics) -> Expression:
+def _bias(dynamics: TreeDynamics) -> Expression:
     """Return h (nv,)."""
-    return tree.inverse_dynamics(tree.v, ca.SX(tree.tree.nv, 1))
+    return dynamics.inverse_dynamics(dynamics.v, ca.SX(dynamics.tree.nv, 1))
 
 
 def _of_q(expression: Callable[[TreeDynamics], Expression]) -> Callable[..., ca.Function]:
-    def build(tree: TreeDynamics, name: str) -> ca.Function:
-        return ca.Function(name, [tree.q], [ca.densify(expression(tree))], ["q"], [name])
+    def build(dynamics: TreeDynamics, name: str) -> ca.Function:
+        return ca.Function(name, [dynamics.q], [ca.densify(expression(dynamics))], ["q"], [name])
 
     return build
 
 
 def _of_q_v(expression: Callable[[TreeDynamics], Expression]) -> Callable[..., ca.Function]:
-    def build(tree: TreeDynamics, name: str) -> ca.Function:
-        out = ca.densify(expression(tree))
-        return ca.Function(name, [tree.q, tree.v], [out], ["q", "v"], [name])
+    def build(dynamics: TreeDynamics, name: str) -> ca.Function:
+        out = ca.densify(expression(dynamics))
+        return ca.Function(name, [dynamics.q, dynamics.v], [out], ["q", "v"], [name])
 
     return build
 
 
-def _inverse_dynamics(tree: TreeDynamics, name: str) -> ca.Function:
-    tau = tree.inverse_dynamics(tree.v, tree.a)
-    return ca.Function(name, [tree.q, tree.v, tree.a], [tau], ["q", "v", "a"], [name])
+def _inverse_dynamics(dynamics: TreeDynamics, name: str) -> ca.Function:
+    tau = dynamics.inverse_dynamics(dynamics.v, dynamics.a)
+    return ca.Function(name, [dynamics.q, dynamics.v, dynamics.a], [tau], ["q", "v", "a"], [name])
 
 
-def _forward_dynamics(tree: TreeDynamics, name: str) -> ca.Function:
-    tau = ca.SX.sym("tau", tree.tree.nv)
-    a = ca.ldl_solve(tau - bias_of(tree), *ca.ldl(mass_matrix_of(tree)))
-    return ca.Function(name, [tree.q, tree.v, tau], [a], ["q", "v", "tau"], [name])
+def _forward_dynamics(dynamics: TreeDynamics, name: str) -> ca.Function:
+    tau = ca.SX.sym("tau", dynamics.tree.nv)
+    a = ca.ldl_solve(tau - _bias(dynamics), *ca.ldl(_mass_matrix(dynamics)))
+    return ca.Function(name, [dynamics.q, dynamics.v, tau], [a], ["q", "v", "tau"], [name])
 
 
-def _inverse_dynamics_derivatives(tree: TreeDynamics, name: str) -> ca.Function:
-    tau = tree.inverse_dynamics(tree.v, tree.a)
+def _inverse_dynamics_derivatives(dynamics: TreeDynamics, name: str) -> ca.Function:
+    tau = dynamics.inverse_dynamics(dynamics.v, dynamics.a)
     parts = [
-        ca.jacobian(tau, tree.q) @ tree.tangent_map(),
-        ca.jacobian(tau, tree.v),
-        mass_matrix_of(tree),
+        ca.jacobian(tau, dynamics.q) @ dynamics.tangent_map(),
+        ca.jacobian(tau, dynamics.v),
+        _mass_matrix(dynamics),
     ]
     names = ["by_q", "by_v", "by_a"]
     return ca.Function(
-        name, [tree.q, tree.v, tree.a], [ca.densify(part) for part in parts], ["q", "v", "a"], names
+        name,
+        [dynamics.q, dynamics.v, dynamics.a],
+        [ca.densify(part) for part in parts],
+        ["q", "v", "a"],
+        names,
     )
 
 
-def _forward_dynamics_derivatives(tree: TreeDynamics, name: str) -> ca.Function:
+def _forward_dynamics_derivatives(dynamics: TreeDynamics, name: str) -> ca.Function:
     # With tau = ID(q, v, a), da/dx = -M^-1 dID/dx for x = q or v, and da/dtau = M^-1.
-    tau = ca.SX.sym("tau", tree.tree.nv)
-    a = _forward_dynamics(tree, name)(tree.q, tree.v, tau)
-    by_q, by_v, mass = _inverse_dynamics_derivatives(tree, name)(tree.q, tree.v, a)
+    tau = ca.SX.sym("tau", dynamics.tree.nv)
+    a = _forward_dynamics(dynamics, name)(dynamics.q, dynamics.v, tau)
+    by_q, by_v, mass = _inverse_dynamics_derivatives(dynamics, name)(dynamics.q, dynamics.v, a)
     factors = ca.ldl(ca.sparsify(mass))
     parts = [
         -ca.ldl_solve(by_q, *factors),
         -ca.ldl_solve(by_v, *factors),
-        ca.ldl_solve(ca.SX.eye(tree.tree.nv), *factors),
+        ca.ldl_solve(ca.SX.eye(dynamics.tree.nv), *factors),
     ]
     names = ["by_q", "by_v", "by_tau"]
     return ca.Function(
-        name, [tree.q, tree.v, tau], [ca.densify(part) for part in parts], ["q", "v", "tau"], names
+        name,
+        [dynamics.q, dynamics.v, tau],
+        [ca.densify(part) for part in parts],
+        ["q", "v", "tau"],
+        names,
     )
 
 
 _BUILDERS: dict[str, Callable[[TreeDynamics, str], ca.Function]] = {
-    "mass_matrix": _of_q(mass_matrix_of),
-    "bias": _of_q_v(bias_of),
+    "mass_matrix": _of_q(_mass_matrix),
+    "bias": _of_q_v(_bias),
     "foot_positions": _of_q(TreeDynamics.foot_positions),
-    "foot_jacobian": _of_q(lambda tree: ca.jacobian(tree.foot_velocities(), tree.v)),
+    "foot_jacobian": _of_q(lambda dynamics: ca.jacobian(dynamics.foot_velocities(), dynamics.v)),
     "foot_drifts": _of_q_v(TreeDynamics.foot_drifts),
     "center_of_mass": _of_q(TreeDynamics.center_of_mass),
-    "centroidal_matrix": _of_q(lambda tree: ca.jacobian(tree.centroidal_momentum(), tree.v)),
+    "centroidal_matrix": _of_q(
+        lambda dynamics: ca.jacobian(dynamics.centroidal_momentum(), dynamics.v)
+    ),
     "centroidal_momentum": _of_q_v(TreeDynamics.centroidal_momentum),
     "inverse_dynamics": _inverse_dynamics,
     "forward_dynamics": _forward_dynamics,
